@@ -1,4 +1,4 @@
-/** What every page is held to: no barriers and no sideways scroll, by day and by night, on a phone and on a desktop. */
+/** Accessibility checks for every page: no barriers and no sideways scroll, in light and dark schemes, on a phone and on a desktop. */
 
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
@@ -10,19 +10,19 @@ const ALL_LOOKS = (['light', 'dark'] as const).flatMap((colorScheme) => [
   { colorScheme, device: 'desktop', width: 1440, height: 900 },
 ]);
 
-/** How a page is looked at; in the gate each colour scheme and each width once. */
+/** Combinations of colour scheme and device to test; the gate uses each colour scheme and each width once. */
 export const LOOKS = ALL_LOOKS.filter(({ colorScheme, device }) => isLong || (colorScheme === 'light') === (device === 'phone'));
 
-/** Looks at a page as it stands then. */
+/** Applies a combination to a page. */
 export async function lookAt(page: Page, { colorScheme, width, height }: (typeof LOOKS)[number]): Promise<void> {
   await page.emulateMedia({ colorScheme });
   await page.setViewportSize({ width, height });
 }
 
-/** The parts of a page that are looked at in one way; in the gate each part in one of them. */
+/** Returns the parts of a page to test in one combination; in the gate each part is tested in one of them. */
 export const partsIn = (look: (typeof LOOKS)[number], parts: readonly string[]): readonly string[] => parts.filter((_, i) => isLong || i % LOOKS.length === LOOKS.indexOf(look));
 
-/** Checks the page as it is now; `part` says which part of it is open. */
+/** Checks the page in its present state; `part` names the open part. */
 export async function expectNoBarriers(page: Page, part = 'page'): Promise<void> {
   const { violations } = await new AxeBuilder({ page }).analyze();
   expect(violations.map((v) => `${part}: ${v.id}: ${v.nodes.map((n) => n.target.join(' ')).join('; ')}`)).toEqual([]);

@@ -1,4 +1,4 @@
-/** A player whose story stands between its tags, or that has none. */
+/** Tests of a player with its story between its tags, or without a story. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { story, voiceFiles } from './fixture.js';
@@ -6,13 +6,13 @@ import { expect, test, type Stage } from './stage.js';
 
 const ATTRIBUTES = 'quality="lowest" loading="eager"';
 
-/** No test here is about the picture, and making one takes longer than all the rest. */
+/** Hides the stage: no test here needs an image, and rendering one takes longer than all the rest. */
 async function unseen(stage: Stage): Promise<void> {
   await stage.page.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null));
 }
 
 const codes = (stage: Stage) => stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.map((d) => d.code));
-/** The words that have come, each once. */
+/** Returns the words reported up to now, each once. */
 const words = (stage: Stage) => stage.page.evaluate(() => window.record.events.filter((e) => e.type === 'word').map((e) => (e.detail as { word: { text: string } }).word.text));
 
 test('an empty story with `loop`, and none at all, end quietly', async ({ stage, page }) => {

@@ -1,9 +1,9 @@
-/** Captions: their lines, and what they leave to be seen. */
+/** Tests of captions: their lines, and the area that they leave visible. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expect, poseOf, test, type Stage } from './stage.js';
 
-/** Opens a story of the library with captions and no controls, on a stage of a size, and shows a moment of it. */
+/** Opens a story of the library with captions and no controls, on a stage of a given size, and shows a time of it. */
 async function at(stage: Stage, story: string, secs: number, [width, height]: readonly [number, number]): Promise<void> {
   await stage.open(`<raconteur-player src="/assets/stories/${story}/story.eml" quality="lowest" captions></raconteur-player>`, {
     'test.css': `raconteur-player { width: ${width}px; height: ${height}px; aspect-ratio: auto } body { margin: 0 }`,
@@ -13,7 +13,7 @@ async function at(stage: Stage, story: string, secs: number, [width, height]: re
   await expect(stage.player.locator('.captions')).toBeVisible();
 }
 
-/** Where the lowest of some joints is in the picture, and where the captions begin: CSS pixels from the stage's top. */
+/** Returns the lowest position of some joints in the image, and the top of the captions: CSS pixels from the stage's top. */
 async function lowest(stage: Stage, joints: readonly string[]): Promise<{ joint: number; captions: number }> {
   const size = await stage.player.evaluate((p: RaconteurPlayer) => ({ width: p.clientWidth, height: p.clientHeight }));
   const pose = await poseOf(stage.player);

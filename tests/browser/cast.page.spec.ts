@@ -1,4 +1,4 @@
-/** Choosing who tells the story, on the page that `npm start` shows. */
+/** Tests of the choice of the storyteller, on the page that `npm start` serves. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

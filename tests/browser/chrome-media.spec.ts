@@ -1,4 +1,4 @@
-/** Controls that others have made for media elements drive the player: media-chrome, as it comes from npm. */
+/** Tests of third-party media controls with the player: media-chrome, unchanged from npm. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -28,7 +28,7 @@ async function open(stage: Stage): Promise<void> {
   await stage.ready();
 }
 
-/** What the controls have understood. */
+/** Returns an attribute of the media controller, as received by the controls. */
 const understood = (stage: Stage, attribute: string) => stage.page.locator('media-controller').getAttribute(attribute);
 
 test('controls for media elements drive the player', async ({ stage, page }) => {

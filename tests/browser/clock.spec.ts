@@ -11,31 +11,31 @@ import { find, loudness } from './sought.js';
 import { bundle, expect, test } from './stage.js';
 import { captured, decoded, tapInto } from './tap.js';
 
-/** Seeks, and how long is played after each: a minute, of which the gate plays a part. */
+/** Number of seeks; together with the playback after each they take a minute, of which the gate plays a part. */
 const SEEKS = sized(6, 20);
 const PLAYED_MS = 3000;
-/** How far the engine may be from the sound, on the audio clock. */
+/** Maximum deviation of the engine from the audio, on the audio clock, seconds. */
 const MAX_SECS = 0.01;
-/** How much sound is looked for; about two phones. */
+/** Length of the audio piece to search, seconds; about two phones. */
 const PIECE_SECS = 0.16;
 /** Range of the search for a piece around its time in the story; over ten times the bound. */
 const SEARCH_SECS = 0.3;
-/** From a turn to sound that is all of the new place: lead and fade. */
+/** Time from a seek to audio entirely from the new position: lead and fade, seconds. */
 const SETTLED_SECS = 0.06;
-/** Pieces that are found are the same sound, to the last bits of mixing it; a place one period away is less alike. */
+/** Minimum correlation of matching pieces, which are the same audio except for the last bits of mixing; a position one period away correlates less. */
 const LIKENESS = 0.999;
 
 declare global {
   interface Window {
-    /** Moments that the engine evaluated: on the audio clock, less its latency. */
+    /** Times that the engine evaluated: on the audio clock, less its latency. */
     asked: number[];
-    /** Phones of its events, with the moment that it evaluated before. */
+    /** Phones of its events, with the time evaluated before. */
     phones: { clock: number; utterance: number; startSecs: number; endSecs: number; symbol: string }[];
-    /** When the sound changed its place or pace. */
+    /** Times at which the audio changed its position or rate. */
     turns: { type: string; clock: number; rate: number }[];
-    /** The story's time at moments of the audio clock. */
+    /** Story time at times of the audio clock. */
     positions: { clock: number; position: number }[];
-    /** The moment of the story whose face a picture showed, at moments of the audio clock. */
+    /** Story time of the face in a frame, at times of the audio clock. */
     pictures: { clock: number; position: number }[];
   }
 }
@@ -192,7 +192,7 @@ test('over many seeks, the phone that the engine thinks is heard is heard', asyn
     sounds.set(key, sound);
     return sound;
   };
-  /** The moment of an utterance that left Web Audio at a moment of the clock; undefined in pauses and where a seek lies near. */
+  /** Returns the position in an utterance that left Web Audio at a time of the clock; undefined in pauses and near seeks. */
   const truth = async (clock: number, utterance: number, guess: number): Promise<{ at: number; rate: number } | undefined> => {
     const run = turns.findLast((t) => t.clock < clock);
     const first = Math.round(clock * heard.sampleRate) - heard.first;

@@ -1,4 +1,4 @@
-/** What the browser keeps of the composite editor: each step before the next is taken, whatever becomes of the tab. */
+/** Tests of the browser storage of the composite editor: each step is saved before the next, whatever happens to the tab. */
 
 import type { BrowserContext, Page } from '@playwright/test';
 import type { SavedHistory } from '../../web/composite/history.js';
@@ -55,7 +55,7 @@ test('a reload at once after a press loses nothing, nor body, light and view', a
   expect(await page.locator('#player').evaluate((p: RaconteurPlayer) => p.currentFigure)).toBe('papous');
 });
 
-/** Presses buttons for a time, as fast as somebody who is in a hurry, and tells of each step once the editor has told that it was done. */
+/** Presses buttons in quick succession for a time, and reports each step once the editor has reported its completion. */
 function hurry(e: RaconteurComposite, pauses: readonly number[]): void {
   e.addEventListener('change', () => {
     const { steps, here } = e.save() ?? { steps: [], here: 0 };

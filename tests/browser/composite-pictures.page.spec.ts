@@ -1,4 +1,4 @@
-/** What is taken away of a composite: small pictures of its steps, a picture for paper, a film, a report. */
+/** Tests of the exports of a composite: thumbnails of its steps, a printable image, a film, a report. */
 
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
@@ -37,7 +37,7 @@ if (isLong) {
   });
 }
 
-/** Tests that need nothing but an editor. */
+/** Tests that need only an editor. */
 test.describe('in one visit', () => {
   test.describe.configure({ mode: 'serial' });
   let visit: Visit;

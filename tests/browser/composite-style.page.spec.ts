@@ -1,4 +1,4 @@
-/** The composite editor: segments by a press, hair and what is worn, marks on the skin, figure files, and what goes wrong. */
+/** Tests of the composite editor: segment selection, hair and accessories, skin marks, figure files, and errors. */
 
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
@@ -12,14 +12,14 @@ const tab = (page: Page, name: string) => page.getByRole('tab', { name }).click(
 const press = (page: Page, name: string) => page.getByRole('button', { name, exact: true }).first().click();
 const present = (page: Page) => page.locator('.steps-list [aria-current="step"]');
 
-/** A place of the picture, as shares of its width and height. */
+/** Returns a position in the image, as shares of its width and height. */
 async function at(page: Page, x: number, y: number): Promise<[number, number]> {
   const box = await page.locator('#pad').boundingBox();
   if (box === null) throw new Error('there is no picture');
   return [box.x + x * box.width, box.y + y * box.height];
 }
 
-/** The picture as bytes: two are equal where nothing changed. */
+/** Returns the image as a data URL: two are equal if nothing changed. */
 const picture = (page: Page) => page.locator('#player').evaluate((p: RaconteurPlayer) => p.snapshot()?.toDataURL() ?? '');
 
 /** A session with one more act. */
@@ -75,7 +75,7 @@ test('the figure file tells a story on another page', async ({ page }) => {
   expect(await player.evaluate((p: RaconteurPlayer) => p.diagnostics.filter((d) => /figure|avatar/.test(d.code)))).toEqual([]);
 });
 
-/** Tests that need nothing but an editor. */
+/** Tests that need only an editor. */
 test.describe('in one visit', () => {
   test.describe.configure({ mode: 'serial' });
   let visit: Visit;

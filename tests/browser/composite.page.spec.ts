@@ -1,4 +1,4 @@
-/** The composite editor: features, parts, faces of the database, what is held, history, session, speech. */
+/** Tests of the composite editor: features, parts, faces of the database, constraints, history, session, speech. */
 
 import type { Locator, Page } from '@playwright/test';
 import type { CompositeEventMap, RaconteurComposite } from '../../web/composite/element.js';
@@ -58,7 +58,7 @@ test('the face says a sentence, and nothing leaves the machine', async ({ page, 
 
 type Embedded = ReturnType<typeof embedded>;
 
-/** An editor on a page of somebody else, and what it tells that page. */
+/** Opens an editor embedded in a third-party page, and records the events that the page receives. */
 const embedded = (page: Page, id: string) => {
   const editor = page.locator(`#${id}`);
   return {
@@ -78,7 +78,7 @@ const embedded = (page: Page, id: string) => {
   };
 };
 
-/** Two editors on a strict page of somebody else. */
+/** Opens two editors on a third-party page with a strict policy. */
 async function openTwo(stage: Stage, page: Page): Promise<[Embedded, Embedded]> {
   // Two stages are drawn by a processor that has two cores for all tests.
   test.setTimeout(480_000);
@@ -195,7 +195,7 @@ test('an editor begins with a saved session, and says what it cannot open', asyn
   expect(await page.evaluate(async () => (await indexedDB.databases()).length)).toBe(0);
 });
 
-/** Tests that need nothing but an editor. */
+/** Tests that need only an editor. */
 test.describe('in one visit', () => {
   test.describe.configure({ mode: 'serial' });
   let visit: Visit;
@@ -269,7 +269,7 @@ test.describe('in one visit', () => {
     await devtools.detach();
   });
 
-  /** Drags a slider to some places, one after another, and lets it go. */
+  /** Drags a slider to some positions, one after another, and releases it. */
   const drag = (name: string, to: readonly number[]) =>
     page.getByRole('slider', { name, exact: true }).evaluate((slider, places) => {
       for (const place of places) {

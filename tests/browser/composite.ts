@@ -1,17 +1,17 @@
-/** What the tests of the composite editor have in common. */
+/** Shared helpers for the tests of the composite editor. */
 
 import type { Browser, Page } from '@playwright/test';
 import type { RaconteurComposite } from '../../web/composite/element.js';
 import { watched } from './stage.js';
 
-/** A face at rest is drawn as simply as one that changes: where a processor draws, another picture takes seconds. */
+/** Makes a resting face render as simply as a changing one: with software rendering a full image takes seconds. */
 export async function drawSimply(page: Page): Promise<void> {
   await page.locator('raconteur-composite').evaluate((e: RaconteurComposite) => {
     e.quality = 'lowest';
   });
 }
 
-/** Opens the editor's page with its features, drawn simply. */
+/** Opens the editor's page with its features, with simple rendering. */
 export async function open(page: Page, width = 1280, height = 900): Promise<void> {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.setViewportSize({ width, height });
@@ -21,7 +21,7 @@ export async function open(page: Page, width = 1280, height = 900): Promise<void
   await page.getByRole('tab', { name: 'Features' }).click();
 }
 
-/** One visit in which several tests begin with a new history: to open the editor takes longer than to ask it something. */
+/** One visit shared by several tests, each with a new history: opening the editor takes longer than the tests. */
 export class Visit {
   #start: unknown;
 
@@ -45,7 +45,7 @@ export class Visit {
     await this.page.context().close();
   }
 
-  /** As if the editor had just been opened, but for what is chosen outside the history. */
+  /** Resets the editor as if just opened, except for choices outside the history. */
   async anew(): Promise<void> {
     await this.page.locator('raconteur-composite').evaluate(async (e: RaconteurComposite, start) => await e.open(start), this.#start);
     await this.page.getByRole('tab', { name: 'Features' }).click();

@@ -1,4 +1,4 @@
-/** Random learners of a course in systems and with record stores: what is recorded is what they did, whatever goes wrong. */
+/** Tests of random learners of a course in systems and with record stores: the record matches their actions, even after faults. */
 
 import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -11,7 +11,7 @@ import { exported, kept, serve, TYPES, type SYSTEMS } from './lms.js';
 import { Lrs, verbOf } from './lrs.js';
 import { expect, test } from './stage.js';
 
-/** Two parts, four questions, one of them not on all ways. */
+/** Two parts, four questions, one of them not on all paths. */
 const STORY = `<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'><r:part time='0' name='one' title='One'><seq time='0'><null time='1'/>
   <r:ask time='0' name='who' prompt='Who sang?' points='2' tries='2'><r:option name='frog' text='A frog' right='true'/><r:option name='stone' text='A stone'/>
     <r:answer to='right'><null time='0.5'/></r:answer><r:answer to='wrong'><null time='1'/></r:answer></r:ask>
@@ -27,7 +27,7 @@ const GIVEN: { readonly [name: string]: readonly (readonly string[])[] } = {
   why: [['It was cold.'], ['No idea, really.']],
 };
 const WATCHED = 0.9;
-/** What is seen just before a page is killed may be lost: some tenths of a second, at each of three kills. */
+/** Share of answers that may be lost: some tenths of a second before a page is killed, at each of three kills. */
 const LOST_SHARE = 0.35;
 
 interface SeenAnswer {
@@ -36,7 +36,7 @@ interface SeenAnswer {
   readonly isRight: boolean | undefined;
 }
 
-/** Where a course is opened, and what its record has in the end. */
+/** Environment of a course, with its final record. */
 interface World {
   open(page: Page): Promise<Frame>;
   fault(page: Page, next: Next | undefined): Promise<void>;
@@ -107,7 +107,7 @@ interface Truth {
   readonly seen: Set<number>;
 }
 
-/** A page of the course in which no picture is drawn, and that tells what is done in it. */
+/** Opens a page of the course without rendering, which records the learner's actions. */
 async function opened(context: BrowserContext, world: World, truth: Truth): Promise<{ page: Page; frame: Frame }> {
   const page = await context.newPage();
   await page.addInitScript(() => {
@@ -137,7 +137,7 @@ async function opened(context: BrowserContext, world: World, truth: Truth): Prom
   return { page, frame };
 }
 
-/** Does one thing, by chance. */
+/** Performs a random action. */
 async function act(frame: Frame, next: Next): Promise<void> {
   const asked = await frame.evaluate(() => (document.querySelector('raconteur-player') as RaconteurPlayer).question?.name);
   const given = asked === undefined ? [] : (GIVEN[asked] ?? []);
@@ -201,7 +201,7 @@ async function learn(context: BrowserContext, world: World, next: Next): Promise
   }
 }
 
-/** Any page, to ask systems from. */
+/** Opens an arbitrary page for requests to systems. */
 async function blank(context: BrowserContext): Promise<Page> {
   const page = context.pages()[0] ?? (await context.newPage());
   return page;

@@ -1,4 +1,4 @@
-/** The ready course in a learning management system, from its first question to its last, by the keyboard alone. */
+/** Tests of the complete sample course in a learning management system, from its first question to its last, by keyboard only. */
 
 import { join } from 'node:path';
 import type { RaconteurPlayer } from '../../web/element/element.js';

@@ -1,4 +1,4 @@
-/** What stands around the story of a course: chapters, the way out, what is saved, and the result; by the keyboard, on a phone. */
+/** Tests of the course shell: chapters, exit, saved data, and result; by keyboard, on a phone. */
 
 import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -9,7 +9,7 @@ import { expectNoBarriers, LOOKS } from './access.js';
 import { exported, HELLO, kept, playerIn, root, serve, SYSTEMS, TYPES } from './lms.js';
 import { expect, ready, test } from './stage.js';
 
-/** A story that asks. */
+/** A story with a question. */
 const ASKING = `<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'><null time='1'/>
   <r:ask time='0' name='who' prompt='Who sang?' points='2' tries='2'><r:option name='frog' text='A frog' right='true'/><r:option name='stone' text='A stone'/>
   <r:answer to='right'><null time='0.5'/></r:answer><r:answer to='wrong'><null time='5'/></r:answer></r:ask><null time='1'/></seq></body></eml>`;

@@ -10,12 +10,12 @@ const TYPES: { [ending: string]: string } = { '.js': 'text/javascript', '.wasm':
 
 export interface Elsewhere {
   readonly origin: string;
-  /** Paths that were asked for. */
+  /** Requested paths. */
   readonly asked: readonly string[];
   close(): void;
 }
 
-/** Starts it; `own` are files beside the player, by path. */
+/** Starts the server; `own` are files next to the player, by path. */
 export async function serveElsewhere(own: { readonly [path: string]: string } = {}): Promise<Elsewhere> {
   const dist = join(import.meta.dirname, '../..', kind.site);
   const asked: string[] = [];

@@ -1,11 +1,11 @@
-/** How camera, light and music express an emotion: the rules that fire, the picture, and two settings beside each other. */
+/** Tests of emotions expressed by camera, light and music: the applied rules, the image, and two settings side by side. */
 
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, lookAt, LOOKS, partsIn } from './access.js';
 import { expect, poseOf, ready, test } from './stage.js';
 
-/** The moment that a standing picture shows, seconds. */
+/** Story time of a static image, seconds. */
 const SHOWN_SECS = 12;
 
 async function open(page: Page): Promise<void> {
@@ -16,12 +16,12 @@ async function open(page: Page): Promise<void> {
 }
 
 const eml = (page: Page): Promise<string> => page.locator('#eml').evaluate((code) => code.textContent ?? '');
-/** Chooses what stands in a label, without waiting for a picture drawn in software. */
+/** Selects an option by its label, without waiting for an image rendered in software. */
 const choose = (page: Page, name: string, role: 'radio' | 'checkbox' | 'button' | 'tab' = 'radio'): Promise<void> =>
   page.getByRole(role, { name, exact: true }).evaluate((b: HTMLElement) => b.click());
 const strength = (page: Page, value: number): Promise<void> => page.getByRole('slider', { name: 'Potential' }).fill(String(value));
 
-/** The player has come to a text at its settled moment. */
+/** Waits until the player shows a text at its settled time. */
 async function settled(page: Page, id: string, holds: string): Promise<void> {
   await expect.poll(() => page.locator(id).evaluate((p: RaconteurPlayer) => (p.readyState === 4 ? `${p.currentTime} ${p.textContent}` : ''))).toContain(holds);
   await expect.poll(() => page.locator(id).evaluate((p: RaconteurPlayer) => p.currentTime)).toBe(SHOWN_SECS);

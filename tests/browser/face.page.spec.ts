@@ -7,7 +7,7 @@ import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, lookAt, LOOKS, partsIn } from './access.js';
 import { expect, ready, test } from './stage.js';
 
-/** Opens the page standing still, two seconds into its script. */
+/** Opens the page paused, two seconds into its script. */
 async function open(page: Page): Promise<void> {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.setViewportSize({ width: 1280, height: 900 });
@@ -35,7 +35,7 @@ async function curves(page: Page, times: (p: RaconteurPlayer) => readonly [from:
   return curvesOf({ curves: Float32Array.from(told) }, count);
 }
 
-/** Places among them. */
+/** Indices of three muscles. */
 const [INNER_BROW, SMILE_LEFT, SMILE_RIGHT] = ['FrontalisMedialLeft', 'ZygomaticusMajorLeft', 'ZygomaticusMajorRight'].map((name) => MUSCLES.indexOf(name)) as [
   number,
   number,
@@ -48,7 +48,7 @@ async function control(page: Page, which: number | DirectControl): Promise<numbe
   return (typeof which === 'number' ? muscles[which] : direct[which])?.[0] ?? NaN;
 }
 
-/** Presses a button as soon as it can be, without waiting for a picture drawn in software. */
+/** Presses a button as soon as possible, without waiting for an image rendered in software. */
 async function press(page: Page, name: string): Promise<void> {
   const button = page.getByRole('button', { name, exact: true });
   await expect(button).toBeEnabled();

@@ -6,7 +6,7 @@ import { expect, test, type Stage } from './stage.js';
 
 const story = '<raconteur-player src="/assets/stories/hello-world/story.eml" controls></raconteur-player>';
 
-/** What tests keep in the page. */
+/** State that tests store in the page. */
 type KeptFace = Window & { faces: Faces };
 
 /** Opens the model in the page, as an embedder would. */

@@ -1,4 +1,4 @@
-/** Who performs: changing the figure, and what happens when one cannot be used. */
+/** Tests of the performing figure: changing it, and errors of unusable ones. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,7 +8,7 @@ import { expect, test, type Stage } from './stage.js';
 const figures = join(import.meta.dirname, '../../assets/figures');
 const sofia = readFileSync(join(figures, 'sofia.glb'));
 
-/** The picture without the fade of a new one; the first comes some time after the story is ready. */
+/** Returns the image without the fade-in of a new one; the first arrives some time after the story is ready. */
 async function look(stage: Stage): Promise<Buffer> {
   await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.statistics?.firstFrameMs ?? 0), { timeout: 60_000 }).toBeGreaterThan(0);
   // Only the canvas counts: notices and controls come and go over it.
@@ -44,7 +44,7 @@ async function open(stage: Stage, files: { [path: string]: string | Buffer }): P
   await stage.seek(0);
 }
 
-/** A GLB whose JSON chunk says this. */
+/** Returns a GLB with a given JSON chunk. */
 function glb(json: object): Buffer {
   const text = Buffer.from(JSON.stringify(json));
   const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, ' ')]);

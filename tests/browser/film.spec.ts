@@ -1,4 +1,4 @@
-/** Where no picture can be drawn a film of the story is shown in time with its sound, else its poster. */
+/** Tests of the fallback without rendering: a film of the story in sync with its audio, else its poster. */
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -65,7 +65,7 @@ const shown = (stage: Stage): Promise<ShownState | undefined> =>
     return video ? { paused: video.paused, drift: video.currentTime - p.currentTime, rate: video.playbackRate, seeking: video.seeking || video.readyState < 2 } : undefined;
   });
 
-/** Waits until the film stands at the place of the story. */
+/** Waits until the film is paused at the position of the story. */
 async function stands(stage: Stage): Promise<void> {
   await expect.poll(async () => (await shown(stage))?.seeking).toBe(false);
   await expect.poll(async () => Math.abs((await shown(stage))?.drift ?? 9)).toBeLessThan(0.05);
@@ -91,7 +91,7 @@ async function colour(stage: Stage): Promise<'red' | 'blue' | 'lime' | 'other'> 
   return g > 150 ? 'lime' : 'other';
 }
 
-/** What the film shows where the story is: a busy machine may have gone on past its middle. */
+/** Returns the expected colour of the film at the story's position: on a busy machine it may be past its middle. */
 const due = async (stage: Stage) => ((await stage.time()) < LENGTH_SECS / 2 ? 'red' : 'blue');
 
 test('a film follows the sound: it plays, rests, is sought, and changes its speed', async ({ stage }) => {

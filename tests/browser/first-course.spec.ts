@@ -1,4 +1,4 @@
-/** The course that `raconteur new --course` makes: it plays, asks what it says, and comes to its end. */
+/** Test of the course created by `raconteur new --course`: it plays, asks its questions, and reaches its end. */
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -6,7 +6,7 @@ import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, lookAt, LOOKS, partsIn } from './access.js';
 import { expect, moved, poseOf, ready, test } from './stage.js';
 
-/** The text as the page keeps it. */
+/** Returns the text as stored by the page. */
 const text = (page: Page) => page.evaluate(() => sessionStorage.getItem('raconteur.gestures') ?? '');
 
 async function open(page: Page, width = 1440, height = 900): Promise<void> {
@@ -24,7 +24,7 @@ const phase = (page: Page, name: string) =>
     .getByRole('button', { name: new RegExp(`^${name}`) })
     .first();
 
-/** Presses in the middle of something and takes it along. */
+/** Presses in the middle of an element and drags it. */
 async function drag(page: Page, what: Locator, right: number, down: number): Promise<{ x: number; y: number }> {
   const box = await what.boundingBox();
   if (box === null) throw new Error('not to be seen');
@@ -36,13 +36,13 @@ async function drag(page: Page, what: Locator, right: number, down: number): Pro
   return { x: x + right, y: y + down };
 }
 
-/** Where the right arm is sent, world, metres. */
+/** Returns the target of the right arm, world, metres. */
 async function target(page: Page): Promise<number[]> {
   const targets = (await poseOf(page.locator('raconteur-player')))?.targets ?? [];
   return [...(targets.find(({ name }) => name === 'rightArm')?.position ?? [])];
 }
 
-/** Types a whole text in place of the one that is there. */
+/** Types a whole text, replacing the existing one. */
 async function type(page: Page, eml: string): Promise<void> {
   await page.locator('.cm-content').click();
   await page.keyboard.press('Control+a');

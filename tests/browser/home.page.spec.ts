@@ -1,4 +1,4 @@
-/** The stage of the first page: in sight when something plays on it, and free of what a visitor has no use for. */
+/** Tests of the home page's stage: visible during playback, and free of elements without use for a visitor. */
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -20,14 +20,14 @@ async function open(page: Page, width: number, height: number, hash = ''): Promi
   await ready(page.locator('raconteur-player'));
 }
 
-/** How far the stage reaches over the edges of the window, pixels; 0 when all of it is seen. */
+/** Returns the part of the stage beyond the edges of the window, pixels; 0 if it is fully visible. */
 const unseen = (page: Page): Promise<number> =>
   page.locator('raconteur-player').evaluate((p) => {
     const { top, bottom } = p.getBoundingClientRect();
     return Math.round(Math.max(0, -top, bottom - innerHeight));
   });
 
-/** Taps the card of a story where a visitor finds it: at the lower edge of the window. Gives what is hidden of the stage right after. */
+/** Taps the card of a story at its usual place, the lower edge of the window. Returns the hidden part of the stage immediately afterwards. */
 const tap = (page: Page, name: RegExp): Promise<number> =>
   page.getByRole('button', { name }).evaluate((button: HTMLElement) => {
     button.scrollIntoView({ block: 'end', behavior: 'instant' });

@@ -1,4 +1,4 @@
-/** What a page that embeds a player may count on, whatever it does with it. */
+/** Tests of guarantees for a page that embeds a player. */
 
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
@@ -14,10 +14,10 @@ declare global {
   }
 }
 
-/** How often a player is taken out of its page. */
+/** Number of times that a player is removed from its page. */
 const TIMES = sized(8, 20);
 
-/** The least width and height of what is pressed (WCAG 2.2, 2.5.8). */
+/** Minimum width and height of a pointer target (WCAG 2.2, 2.5.8). */
 const MIN_TARGET = 24;
 
 const SECS = 3;
@@ -68,7 +68,7 @@ test('320 pixels have room for every control', async ({ stage, page }) => {
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
 });
 
-/** The browser makes no pictures any more, or again. */
+/** Stops or resumes the browser's rendering. */
 const hide = (page: Page, hidden: boolean) =>
   page.evaluate((is) => {
     Object.defineProperty(document, 'hidden', { value: is, configurable: true });
@@ -166,7 +166,7 @@ test('out of its page for longer it gives back what it holds, and goes on where 
   await stage.until((at[0] ?? 0) + 0.2);
 });
 
-/** States of a player, and how a page brings it there. */
+/** States of a player, with the steps that produce them. */
 const STATES: { readonly [name: string]: (stage: Stage, page: Page) => Promise<void> } = {
   'without a story': async (stage) => {
     await stage.open('<main><h1>A page</h1><raconteur-player controls label="None"></raconteur-player></main>', files);

@@ -1,6 +1,6 @@
 // Which project a spec belongs to, by its name.
 
-/** What is measured against sound as it is played; these have the machine for themselves. */
+/** Tests that measure audio in real time; they run without others on the machine. */
 export const SOUND = /(clock|music|play|voice)\.spec/;
 export const PAGE = /page\.spec/;
 

@@ -1,4 +1,4 @@
-/** How the pages stand at a desktop's, a tablet's and a phone's width, and whether all that they ask for is there. */
+/** Tests of the page layout at desktop, tablet and phone widths, and of the availability of all requested files. */
 
 import type { Page } from '@playwright/test';
 import { expectNoBarriers } from './access.js';

@@ -1,8 +1,8 @@
-/** How large the element is where a page says nothing, beside a video in the same place. */
+/** Tests of the element's default size, compared with a video in the same place. */
 
 import { expect, test } from './stage.js';
 
-/** Where an element may stand: the style of what it stands in, and its own. */
+/** Layout contexts of an element: the style of its container, and its own. */
 const PLACES: { [name: string]: readonly [around: string, own: string] } = {
   'a flex row': ['display: flex', ''],
   'a flex row, at its start': ['display: flex; align-items: flex-start; width: 700px', ''],

@@ -1,4 +1,4 @@
-/** The lines of the story below the stage of the first page: the one that is spoken is lit. */
+/** Tests of the story's lines below the stage of the home page: the spoken line is highlighted. */
 
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';

@@ -1,4 +1,4 @@
-/** Packages of `raconteur export`, and a system with SCORM that takes them: scorm-again, which others have made. */
+/** Packages of `raconteur export`, and a SCORM system for them: the third-party scorm-again. */
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync } from 'node:fs';
@@ -26,7 +26,7 @@ export const SYSTEMS = {
   scorm2004: { object: 'API_1484_11', made: 'Scorm2004API', set: 'SetValue', commit: 'Commit', status: ['completion_status'], memory: 'suspend_data' },
 } as const;
 
-/** The page of the system: it keeps what is committed, and gives it to the next session; while `refuses` is set it takes nothing. */
+/** Returns the page of the system: it stores committed data, and passes it to the next session; while `refuses` is set it accepts nothing. */
 const pageOf = ({ object, made, set, commit }: (typeof SYSTEMS)[keyof typeof SYSTEMS]) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>A system</title>
   <script src="system.js"></script>
   <script>
@@ -43,7 +43,7 @@ const pageOf = ({ object, made, set, commit }: (typeof SYSTEMS)[keyof typeof SYS
   </script>
   <iframe src="course/index.html" title="The course" width="460" height="340" allow="autoplay"></iframe></html>`;
 
-/** Serves a system with a package, and tells what was asked for in vain. */
+/** Serves a system with a package, and reports missing files. */
 export async function serve(page: Page, standard: keyof typeof SYSTEMS, story = HELLO, ...more: readonly string[]): Promise<string[]> {
   const files = exported(standard, story, ...more);
   const system = SYSTEMS[standard];

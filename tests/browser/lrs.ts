@@ -1,4 +1,4 @@
-/** A learning record store for browser tests: takes what xAPI 1.0.3 lets it take, and can be away. */
+/** Learning record store for browser tests: accepts the data that xAPI 1.0.3 permits, and can be unavailable. */
 
 import type { BrowserContext } from '@playwright/test';
 
@@ -11,7 +11,7 @@ export interface Statement {
   readonly context: { readonly extensions: { readonly [name: string]: unknown } };
 }
 
-/** `lost`: it takes what it is sent, and its answer is lost. */
+/** A fault of the store; with `lost`, it accepts the data, but its response is lost. */
 export type Fault = 'away' | 'lost' | 401 | 500;
 
 export const verbOf = ({ verb }: Statement): string => verb.id.split('/').at(-1) ?? '';

@@ -1,4 +1,4 @@
-/** Hundreds of stories on one page: what one of them took of the graphics card is given back. */
+/** Tests of hundreds of stories on one page: the graphics resources of each are released. */
 
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
@@ -27,7 +27,7 @@ function listen(): void {
   } as typeof get;
 }
 
-/** How many devices and contexts were made so far, and how many of them are still there. */
+/** Returns the number of devices and contexts created up to now, and the number still in existence. */
 function graphics(page: Page): Promise<{ made: number; held: number }> {
   return page.evaluate(async () => {
     const gone = await Promise.all(
@@ -38,7 +38,7 @@ function graphics(page: Page): Promise<{ made: number; held: number }> {
   });
 }
 
-/** Runs before the page's own scripts: the stories are there at once, since it is not fetching that is tested. */
+/** Runs before the page's own scripts: provides the stories immediately, since fetching is not tested here. */
 function serve(files: { [path: string]: string }): void {
   const own = window.fetch;
   window.fetch = (input, init) => {

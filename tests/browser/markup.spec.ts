@@ -1,4 +1,4 @@
-/** The element leaves the page's markup as it was written, and is to keyboards and screen readers what it always was. */
+/** Tests that the element leaves the page's markup as written, and stays the same for keyboards and screen readers. */
 
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
@@ -16,7 +16,7 @@ const served = (page: Page) =>
     return /<raconteur-player.*<\/raconteur-player>/.exec(text)?.[0];
   });
 
-/** What the browser tells screen readers that the player is: the roles and names of all that has one, in order. */
+/** Returns the player's accessibility tree: the roles and names of all named nodes, in order. */
 async function tree(page: Page): Promise<string[]> {
   const session = await page.context().newCDPSession(page);
   const { nodes } = await session.send('Accessibility.getFullAXTree');

@@ -1,4 +1,4 @@
-/** Questions that are asked in the page, in the same words, of a media element of the browser and of the player. */
+/** Questions evaluated in the page, identically for a media element of the browser and for the player. */
 
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
@@ -10,43 +10,43 @@ export type Media = HTMLMediaElement | RaconteurPlayer;
 
 export type Tag = 'audio' | 'video' | 'raconteur-player';
 
-/** What a question works with. */
+/** Environment of a question. */
 export interface Kit<M = Media> {
   readonly media: M;
   readonly tag: Tag;
-  /** Two things to play, of one and a half seconds, and one that is not there. */
+  /** Two playable sources, of one and a half seconds, and a missing one. */
   readonly good: string;
   readonly other: string;
   readonly absent: string;
   /** A MIME type that it can play. */
   readonly type: string;
-  /** A speed beyond what it can. */
+  /** A speed out of range. */
   readonly fast: number;
   /** Another element of the kind, in no document. */
   make(): M;
-  /** Gives `media` something to play and waits until it can play through. */
+  /** Gives `media` a source and waits until it can play through. */
   loaded(): Promise<void>;
-  /** What became of a promise: nothing or the error's name. */
+  /** Returns the outcome of a promise: nothing or the error's name. */
   settle(promise: Promise<unknown> | undefined): Promise<string>;
   /** The name of the exception. */
   thrown(work: () => void): string;
   event(type: string): Promise<unknown>;
-  /** The names of the events since the last call; those that come by themselves are left out. */
+  /** Returns the names of the events since the last call, without the periodic ones. */
   events(): string[];
-  /** The names of all events of some types from now on, as they come. */
+  /** Returns a list that collects the names of all events of some types from now on. */
   follow(...types: string[]): string[];
   wait(ms: number): Promise<void>;
-  /** Waits until something is so, three seconds at most; whether it is. */
+  /** Waits until a condition is true, three seconds at most; returns its value. */
   until(isSo: () => boolean): Promise<boolean>;
 }
 
-/** It runs in the page; nothing of the test's own file is there. */
+/** A question; it runs in the page, without access to the test's file. */
 export type Question = (kit: never, given: never) => unknown;
 
 declare global {
   interface Window {
     makeKit(tag: Tag, backend: string): Kit;
-    /** Address of what a `<video>` plays, where that is to have a picture. */
+    /** Address of the source of a `<video>`, if it must have an image. */
     film?: string;
     questions: { [name: string]: (kit: Kit, given: unknown) => unknown };
   }
@@ -115,7 +115,7 @@ function makeKit(tag: Tag, backend: string): Kit {
   };
 }
 
-/** Opens a page with the questions, and with something to play for both kinds; without a picture all is faster. `isStrict`: with the policy of the real page. */
+/** Opens a page with the questions, and with sources for both kinds; it is faster without rendering. `isStrict`: with the policy of the production page. */
 export async function openKit(
   stage: Stage,
   questions: { readonly [name: string]: Question },
@@ -134,7 +134,7 @@ export async function openKit(
   await page.mouse.click(300, 300);
 }
 
-/** Asks a question of one kind of element; an answer that does not come in time is told as such. */
+/** Asks a question of one kind of element; reports an answer that does not arrive in time. */
 export async function ask(
   page: Page,
   tag: Tag,
@@ -159,7 +159,7 @@ export async function ask(
   );
 }
 
-/** Records a second of picture and sound for the page's `<video>` elements, since no file of the tests has both. */
+/** Records one second of image and audio for the page's `<video>` elements, since no file of the tests has both. */
 export async function makeFilm(page: Page): Promise<void> {
   await page.evaluate(async () => {
     const canvas = Object.assign(document.createElement('canvas'), { width: 64, height: 48 });

@@ -1,4 +1,4 @@
-/** The element beside a media element of the browser: both get the same calls, and the answers are compared. */
+/** Tests that compare the element with a media element of the browser: both receive the same calls. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { isLong } from '../../web/test/tier.js';
@@ -190,7 +190,7 @@ test.describe('as a media element', () => {
   }
 });
 
-/** Opens a small story with a voice, heard and not seen. */
+/** Opens a small story with a voice, audible and not visible. */
 async function play(stage: Stage): Promise<void> {
   await stage.page.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null));
   const made = [{ text: 'One two three', msec: 20_000, samples: new Float32Array(882_000) }];

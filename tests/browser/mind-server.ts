@@ -1,17 +1,17 @@
-/** A mind for the tests: the least of a WebSocket server (RFC 6455) that tells them what it hears. */
+/** A mind for the tests: a minimal WebSocket server (RFC 6455) that records received messages. */
 
 import { createHash } from 'node:crypto';
 import { createServer } from 'node:http';
 import type { AddressInfo, Socket } from 'node:net';
 
-/** What a player tells a mind. */
+/** A message from a player to a mind. */
 export type MindMessage = { kind: string; [field: string]: unknown };
 
-/** A server for one player at a time; speaks to the one that came last. */
+/** A server for one player at a time; it sends to the most recent connection. */
 export class Mind {
   readonly #server = createServer();
   #socket: Socket | undefined;
-  /** How many connections there were. */
+  /** Number of connections. */
   connections = 0;
   /** All messages, in order. */
   readonly told: MindMessage[] = [];
@@ -51,7 +51,7 @@ export class Mind {
     this.#socket?.write(frame(2, bytes));
   }
 
-  /** Breaks the connection as a network does. */
+  /** Drops the connection like a network failure. */
   drop(): void {
     this.#socket?.destroy();
     this.#socket = undefined;
@@ -62,7 +62,7 @@ export class Mind {
     this.#server.close();
   }
 
-  /** Takes whole frames of a client, which are masked; returns the remainder. */
+  /** Reads whole frames of a client, which are masked; returns the remainder. */
   #hear(socket: Socket, data: Buffer): Buffer {
     for (;;) {
       if (data.length < 2) return data;

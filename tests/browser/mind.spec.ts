@@ -16,7 +16,7 @@ const test = base.extend<{ mind: Mind }>({
   },
 });
 
-/** A figure that waits, with the voice of hello-world, and a mind that has been let in. */
+/** Opens a waiting figure, with the voice of hello-world, and a connected mind. */
 async function open(stage: Stage, mind: Mind): Promise<void> {
   await stage.open(
     `<raconteur-player src="waiting/story.eml" mind="${mind.origin}/x" captions controls></raconteur-player>`,

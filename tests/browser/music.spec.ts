@@ -6,12 +6,12 @@ import { expect, test, type Stage } from './stage.js';
 
 declare global {
   interface Window {
-    /** Pieces of music and the gain that each goes through. */
+    /** Pieces of music with their gain nodes. */
     music: { sound: HTMLAudioElement; gain: GainNode | undefined }[];
   }
 }
 
-/** Runs before the page's own scripts: notes what Web Audio is given to play. */
+/** Runs before the page's own scripts: records the sources that Web Audio plays. */
 function listen(): void {
   window.music = [];
   const create = AudioContext.prototype.createMediaElementSource;
@@ -37,7 +37,7 @@ async function open(stage: Stage, page: Page, music: string): Promise<void> {
   await stage.ready();
 }
 
-/** How far the first piece is from where the story is when both are heard, how loud, and whether it plays. */
+/** Returns the deviation of the first piece from the story's position, measured at the output, its level, and its playing state. */
 function state(page: Page): Promise<{ drift: number; level: number; rate: number; paused: boolean }> {
   return page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => {
     const [piece] = window.music;
@@ -52,7 +52,7 @@ function state(page: Page): Promise<{ drift: number; level: number; rate: number
   });
 }
 
-/** The clock of the output is some hundredths behind that of the graph, and pictures in software are slow. */
+/** Maximum deviation, seconds: the clock of the output is some hundredths behind that of the graph, and software rendering is slow. */
 const NEAR_SECS = 0.15;
 
 test('music plays in time, after a seek and at another speed as well', async ({ stage, page }) => {

@@ -1,8 +1,8 @@
-/** In documents that lack what browsers have, as those of jsdom and happy-dom do, a player can be there; it has nothing to do. */
+/** Tests that a player can exist, without function, in documents that lack browser features, like those of jsdom and happy-dom. */
 
 import { expect, test } from './stage.js';
 
-/** What those lack, and what else an older browser may. */
+/** Features missing there, and others that an older browser may lack. */
 const LACKING = ['ResizeObserver', 'IntersectionObserver', 'matchMedia', 'Worker', 'AudioContext', 'MessageChannel', 'OffscreenCanvas'];
 
 test('imported, made, put into the page, changed and taken out, it throws nothing', async ({ stage, page }) => {

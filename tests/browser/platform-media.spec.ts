@@ -1,4 +1,4 @@
-/** The tests of web-platform-tests for media elements, asked of the browser's own element and of the player. */
+/** The web-platform-tests for media elements, run on the browser's own element and on the player. */
 
 import { sampled, seed } from '../../web/test/tier.js';
 import { ask, makeFilm, openKit } from './media-kit.js';
@@ -8,7 +8,7 @@ import { missed } from './platform/missed.js';
 import type { Row, Theme } from './platform/rows.js';
 import { expect, test, type Stage } from './stage.js';
 
-/** Longer than any answer takes, and short enough for some rows that never come to one. */
+/** Time limit: longer than any answer takes, and short enough for some rows that never return one. */
 const LIMIT_MS = 8000;
 /** The least share of the rows that the player answers as the specification expects. */
 const MIN = 0.97;
@@ -35,7 +35,7 @@ async function answersOf(stage: Stage, { control, rows }: Theme): Promise<Answer
 
 const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
 
-/** How a row is written where the answer is not the expected one. */
+/** Formats a row whose answer differs from the expected one. */
 const line = ({ test, expected }: Answers, got: unknown) => `${test}: ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`;
 
 test('every row is there once, and the share of those that are missed is small', () => {

@@ -1,4 +1,4 @@
-/** Playing, as a media element does. */
+/** Tests of playback, compared with a media element. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { bundle, expect, test } from './stage.js';

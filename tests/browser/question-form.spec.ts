@@ -1,4 +1,4 @@
-/** The forms of questions in use: where the focus goes, when something is said, and that what is pointed at can be pressed. */
+/** Tests of question forms: focus, announcements, and accessibility of pointer targets. */
 
 import type { Locator } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
@@ -20,7 +20,7 @@ async function open(stage: Stage, body: string, css?: string): Promise<Locator> 
   return stage.player.locator('form[part~=question]');
 }
 
-/** What has the focus in the player: the value or the name of a control, or the player itself. */
+/** Returns the focused element in the player: the value or the name of a control, or the player itself. */
 const focused = (stage: Stage) =>
   stage.player.evaluate((p: RaconteurPlayer) => {
     if (document.activeElement !== p) return 'elsewhere';

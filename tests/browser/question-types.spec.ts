@@ -1,4 +1,4 @@
-/** Each type of question as people answer it, ways that follow, time that is over, and what hostile stories do. */
+/** Tests of each type of question with user input, subsequent paths, expired time limits, and hostile stories. */
 
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Locator } from '@playwright/test';

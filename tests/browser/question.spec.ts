@@ -1,4 +1,4 @@
-/** Questions of a story: where it rests, what follows from an answer, and the form as people use it. */
+/** Tests of a story's questions: pauses, reactions to an answer, and the use of the form. */
 
 import { AxeBuilder } from '@axe-core/playwright';
 import type { RaconteurPlayer } from '../../web/element/element.js';

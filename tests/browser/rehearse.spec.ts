@@ -1,15 +1,15 @@
-/** Another text for the figure on stage, and what a page draws over the picture. */
+/** Tests of another text for the figure on stage, and of page overlays over the image. */
 
 import type { Locator } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expect, poseOf, test } from './stage.js';
 
-/** The right hand at a place, from 1 to 3 s. */
+/** Returns a script with the right hand at a place, from 1 to 3 s. */
 const text = (x: number) => `<eml><body><gesture-is-on time="0" isOn="true"/>
   <gesture-key time="1" duration="2" handedness="right"><motion><key time="0" x="${x}" y="20" z="-14"/><key time="2" x="${x}" y="20" z="-14"/></motion></gesture-key>
 </body></eml>`;
 
-/** Where the right arm is sent, world, metres, and how far from there it ended. */
+/** Returns the target of the right arm, world, metres, and its final error. */
 async function target(player: Locator): Promise<readonly number[] | undefined> {
   const arm = (await poseOf(player))?.targets.find(({ name }) => name === 'rightArm');
   return arm && [...arm.position, arm.error];

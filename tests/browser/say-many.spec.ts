@@ -1,15 +1,15 @@
-/** Many texts, one after another, and strange ones: none is heard with another, lost, or left behind. */
+/** Tests of many texts in succession, and unusual ones: none is mixed with another, lost, or left behind. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { sized } from '../../web/test/tier.js';
 import { expect, type Stage, test } from './stage.js';
 
-/** Texts of which most are replaced while they are made or said. */
+/** Number of texts, most of which are replaced during synthesis or speech. */
 const TEXTS = sized(16, 200);
 
 const story = (text: string) => `<eml><body><voice-text time='0.1'>${text}</voice-text></body></eml>`;
 
-/** Puts a text in the place of the one on stage and plays it; only its events are recorded. */
+/** Replaces the text on stage and plays it; only its events are recorded. */
 async function say(stage: Stage, text: string): Promise<void> {
   await stage.player.evaluate(async (p: RaconteurPlayer, eml) => {
     p.pause();
@@ -22,7 +22,7 @@ async function say(stage: Stage, text: string): Promise<void> {
 
 declare global {
   interface Window {
-    /** When each sound is heard, in the context's time; -1 for one that never stopped. */
+    /** Start and stop of each sound, in the context's time; -1 for one that never stopped. */
     heard: { from: number; to: number }[];
   }
 }

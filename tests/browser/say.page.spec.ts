@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { expect, test, type Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 
-/** Notes the phones that the player tells of from now on. */
+/** Records the phones that the player reports from now on. */
 async function listen(page: Page): Promise<void> {
   await page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => {
     p.dataset['phones'] = '';

@@ -1,4 +1,4 @@
-/** What has no recording is spoken in the page. */
+/** Tests of speech synthesis in the page for text without a recording. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expect, test } from './stage.js';

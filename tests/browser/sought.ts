@@ -1,15 +1,15 @@
 /** Finds a piece of sound in a longer one. */
 
-/** Where a piece was found: its first sample's place, and how alike the two are, from −1 to 1. */
+/** Match of a piece: position of its first sample, and the correlation, from −1 to 1. */
 export interface Found {
   readonly at: number;
   readonly likeness: number;
 }
 
-/** Every so many samples are looked at first; then the best place is made exact. */
+/** Step of the coarse search, samples; the best match is then refined. */
 const COARSE = 4;
 
-/** The place in `sound`, from `from` to `to`, that is most like `piece`: normalised cross-correlation. */
+/** Finds the position in `sound`, from `from` to `to`, that is most similar to `piece`: normalised cross-correlation. */
 export function find(piece: Float32Array, sound: Float32Array, from: number, to: number): Found {
   const thin = (samples: Float32Array) =>
     Float32Array.from({ length: Math.floor(samples.length / COARSE) }, (_, i) => {

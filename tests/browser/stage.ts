@@ -57,7 +57,7 @@ function readUtterance({ text, audio, phones, msecs, words }: Written): BundleUt
   return { text, audio, duration_secs: end / 1000, words: spoken, phones: spans };
 }
 
-/** What the page records for the tests. */
+/** Data that the page records for the tests. */
 interface Record {
   contexts: AudioContext[];
   /** Each start of a sound: source time, offset in the sound, its length. */
@@ -143,7 +143,7 @@ export async function ready(player: Locator): Promise<void> {
   await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.error?.message ?? p.readyState), { timeout: 60_000 }).toBe(4);
 }
 
-/** Does something that moves the camera, and waits until what is shown is seen from there. */
+/** Performs an action that moves the camera, and waits until the displayed image is seen from there. */
 export async function moved(player: Locator, act: () => Promise<unknown>): Promise<void> {
   const camera = async () => JSON.stringify((await poseOf(player))?.camera);
   const before = await camera();
@@ -232,7 +232,7 @@ export class Stage {
     return player.evaluate((p: RaconteurPlayer) => p.currentTime);
   }
 
-  /** Waits until the story has come to a time. */
+  /** Waits until the story has reached a time. */
   async until(secs: number, player = this.player): Promise<void> {
     await expect.poll(() => this.time(player), { timeout: 60_000 }).toBeGreaterThanOrEqual(secs);
   }
@@ -242,7 +242,7 @@ export class Stage {
     return await this.page.evaluate(() => window.record.events.map((e) => e.type).filter((t, i, all) => t !== all[i - 1]));
   }
 
-  /** The picture without what lies over it: mean and spread of brightness, and the bytes for comparing. */
+  /** Returns the image without overlays: mean and spread of brightness, and the bytes for comparison. */
   async picture(player = this.player): Promise<{ spread: number; png: Buffer }> {
     // The fade-in of a new picture would look like movement.
     await this.page.waitForTimeout(700);
@@ -251,13 +251,13 @@ export class Stage {
     return { spread, png };
   }
 
-  /** Mean absolute difference of two pictures, 0 to 255. */
+  /** Returns the mean absolute difference of two images, 0 to 255. */
   difference(a: Buffer, b: Buffer): Promise<number> {
     return difference(this.page, a, b);
   }
 }
 
-/** Mean absolute difference of a picture from another, or from its own mean. */
+/** Returns the mean absolute difference of an image from another, or from its own mean. */
 async function difference(page: Page, a: Buffer, b: Buffer | undefined): Promise<number> {
   const urls = [a, ...(b ? [b] : [])].map((png) => `data:image/png;base64,${png.toString('base64')}`);
   return await page.evaluate(async (sources) => {
@@ -281,12 +281,12 @@ async function difference(page: Page, a: Buffer, b: Buffer | undefined): Promise
   }, urls);
 }
 
-/** What a project chooses: the back end that draws, or `page` for the pages, which choose their own. */
+/** Option of a project: the rendering back end, or `page` for the pages, which choose their own. */
 export interface BackendOption {
   backend: string;
 }
 
-/** Watches what of the site a spec visits in a context; the function that it gives expects all of that to be declared. */
+/** Records the parts of the site that a spec visits in a context; the returned function checks that all of them are declared. */
 export function watched(context: BrowserContext, file: string): () => void {
   const seen = new Set<string | undefined>();
   context.on('request', (request) => {

@@ -1,4 +1,4 @@
-/** What does not come holds up nothing that does. */
+/** Tests that a stalled resource delays nothing independent of it. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,6 +1,6 @@
 /**
- * What stands on the first page's stage before the first picture is that picture, so that nothing jumps. With `UPDATE`
- * in the environment the still is taken anew, which a change of the first story's figure, shot or light calls for.
+ * Tests that the placeholder on the home page's stage equals the first image, so nothing jumps. With `UPDATE` in the environment the still is captured again,
+ * which is required after a change of the first story's figure, shot or light.
  */
 
 import { writeFileSync } from 'node:fs';
@@ -11,8 +11,8 @@ import { expect, test } from './stage.js';
 
 const still = (name: string): string => join(import.meta.dirname, '../../web/pages/landing', name);
 /**
- * As high as stages are, with captions of the size that those have: shots keep hands above them. The first is wider than any stage, so that its height alone frames
- * it; on a phone the figure stands in the middle and is seen to the waist.
+ * Sizes of the stills: as high as stages are, with captions of the size that those have, since shots keep hands above them. The first is wider than any stage,
+ * so its height alone determines the framing; on a phone the figure is centred and visible to the waist.
  */
 const STILLS = [
   { name: 'still.webp', width: 1200, height: 500, caption: '20.8px' },
@@ -22,10 +22,13 @@ const STILLS = [
 const DENSITY = 1.44;
 /** As portraits are packed. */
 const WEBP_QUALITY = 0.84;
-/** Mean difference of pictures, of 255: packing and another size make 3, arms that hang otherwise 3, another light or shot from 13 on (software drawing). */
+/**
+ * Maximum mean difference of images, of 255: compression and another size cause 3, a different arm pose 3, another light or shot 13 or more (software
+ * rendering).
+ */
 const ALIKE = 8;
 
-/** Waits for the first picture, of a figure that stands still, and takes away what lies over it. */
+/** Waits for the first image, of a figure without motion, and removes overlays. */
 async function open(page: Page, width: number, height: number): Promise<void> {
   await page.setViewportSize({ width, height });
   await page.emulateMedia({ reducedMotion: 'reduce' });
@@ -37,7 +40,7 @@ async function open(page: Page, width: number, height: number): Promise<void> {
   });
 }
 
-/** What is on stage, with the canvas or without. */
+/** Returns the image on stage, with or without the canvas. */
 async function look(page: Page, opacity: '0' | '1'): Promise<Buffer> {
   const canvas = page.locator('raconteur-player canvas');
   await canvas.evaluate((c: HTMLCanvasElement, value) => {
@@ -47,7 +50,7 @@ async function look(page: Page, opacity: '0' | '1'): Promise<Buffer> {
   return await page.locator('raconteur-player').screenshot({ animations: 'disabled' });
 }
 
-/** Takes the picture on stage as it is packed for the page. */
+/** Captures the image on stage, compressed as for the page. */
 async function packed(page: Page, size: { width: number; height: number; caption: string }): Promise<Buffer> {
   await page.locator('raconteur-player').evaluate((p: RaconteurPlayer, { width, height, caption }) => {
     p.style.setProperty('--raconteur-caption-size', caption);

@@ -1,4 +1,4 @@
-/** What documents and cards say of the stories' lengths is what the player says. */
+/** Tests that the lengths of stories in documents and cards match the player's. */
 
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,7 +8,7 @@ import { expect, ready, test } from './stage.js';
 const assets = join(import.meta.dirname, '../../assets');
 const read = (path: string): string => readFileSync(join(assets, path), 'utf8');
 
-/** Rows of the table in the library's own document: a story, its seconds, and its gesture keys where it tells them. */
+/** Rows of the table in the library's own document: a story, its seconds, and its gesture keys, if listed. */
 const ROWS = [...read('stories/README.md').matchAll(/^\| `([\w/-]+)` \|.*\| (\d+(?:\.\d+)?) s(?:, (\d+) gesture keys| without the poem)? \|$/gm)].map(
   ([, story = '', secs = '', keys]) => ({ story, secs, keys }),
 );

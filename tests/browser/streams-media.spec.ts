@@ -1,4 +1,4 @@
-/** Where else picture, sound and captions of a player go: streams, callbacks of frames, tracks of text, devices. */
+/** Tests of the other outputs of a player's image, audio and captions: streams, frame callbacks, text tracks, devices. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { SAMPLE_RATE, story, voiceFiles } from './fixture.js';
@@ -6,7 +6,7 @@ import { expect, test, type Stage } from './stage.js';
 
 const SECS = 6;
 
-/** A story that hums, so that silence is told from sound. */
+/** Opens a story that hums, so silence can be distinguished from audio. */
 async function open(stage: Stage): Promise<void> {
   const samples = Float32Array.from({ length: SECS * SAMPLE_RATE }, (_, i) => 0.4 * Math.sin((2 * Math.PI * 220 * i) / SAMPLE_RATE));
   const files = voiceFiles([{ text: 'One two three', msec: SECS * 1000, samples }]);

@@ -1,11 +1,11 @@
-/** What the speakers are given, sample by sample, with the times of the audio clock. */
+/** Recorder of the samples sent to the speakers, with the times of the audio clock. */
 
 import type { Page } from '@playwright/test';
 
 /** Sound that left Web Audio. */
 export interface Captured {
   readonly sampleRate: number;
-  /** Where `samples` begin on the audio clock, in samples. */
+  /** Start of `samples` on the audio clock, in samples. */
   readonly first: number;
   /** A page that was busy for long has missed some: those are not numbers. */
   readonly samples: Float32Array;
@@ -13,14 +13,14 @@ export interface Captured {
 
 declare global {
   interface Window {
-    /** What was heard, in blocks by their first sample on the audio clock. */
+    /** Recorded audio, in blocks by their first sample on the audio clock. */
     tap: { context: AudioContext | undefined; ready: boolean; blocks: { from: number; samples: Float32Array }[] };
     /** Samples as text: single precision, base64. */
     coded(samples: Float32Array): string;
   }
 }
 
-/** Runs before the page's own scripts: all that goes to the speakers is written down as well. */
+/** Runs before the page's own scripts: also records all audio sent to the speakers. */
 function listen(): void {
   const tap: Window['tap'] = { context: undefined, ready: false, blocks: [] };
   window.tap = tap;
@@ -69,7 +69,7 @@ function listen(): void {
   } as typeof AudioNode.prototype.connect;
 }
 
-/** Lets a page that is opened next be heard. */
+/** Installs the recorder in the next opened page. */
 export async function tapInto(page: Page): Promise<void> {
   await page.addInitScript(listen);
   await page.addInitScript(() => {
@@ -83,7 +83,7 @@ export async function tapInto(page: Page): Promise<void> {
   });
 }
 
-/** Everything heard so far. */
+/** Returns all audio recorded up to now. */
 export async function captured(page: Page): Promise<Captured> {
   const { sampleRate, first, text, blocks } = await page.evaluate(() => {
     const { blocks, context } = window.tap;
@@ -105,9 +105,8 @@ export function decoded(text: string): Float32Array {
 }
 
 /**
- * Lets the audio clock of a page that is opened next stand still within a task, so that all that
- * reads it in one task, and in what follows from it before the next, reads the same moment: a
- * caption and the time that it was chosen for can be compared, however busy the machine is.
+ * Freezes the audio clock of the next opened page within a task, so all code in one task, and its continuations before the next, reads the same time: a
+ * caption and the time for which it was chosen can be compared, however busy the machine is.
  */
 export async function steadyClock(page: Page): Promise<void> {
   await page.addInitScript(() => {

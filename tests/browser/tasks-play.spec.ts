@@ -1,9 +1,9 @@
-/** No task keeps a page from answering while a story plays: what the player computes is short, beside what is drawn and what a driver compiles. */
+/** Tests that no task blocks a page during playback: the player's computations are short, compared with rendering and driver compilation. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expect, test } from './stage.js';
 
-/** More of a task is long (Long Tasks API), and is felt. */
+/** Duration from which a task is long (Long Tasks API), and perceptible, milliseconds. */
 const LONG_MS = 50;
 
 test('no task in play is longer than 50 ms, with drawing and drivers taken out', async ({ stage, page }) => {

@@ -11,14 +11,14 @@ const figures = join(root, 'assets/figures');
 const three = join(root, 'node_modules/three');
 const program = join(process.env['CARGO_TARGET_DIR'] ?? join(root, 'target'), 'debug/raconteur');
 
-/** Side of both pictures, pixels. */
+/** Side of both images, pixels. */
 const SIDE = 480;
-/** Where `raconteur figure sheet` lays its first tile. */
+/** Position of the first tile of `raconteur figure sheet`. */
 const PLACE = 4;
 /** Outlines overlap by this share at least. Strands of hair, which our renderer cuts out of cards and three.js draws whole, and one pixel along the edge are the rest. */
 const MIN_OVERLAP = 0.97;
 
-/** The bare page: three.js as it comes, found by an import map. */
+/** A bare page: unmodified three.js, loaded by an import map. */
 const PAGE = `<!doctype html><meta charset="utf-8"><title>three</title>
 <script type="importmap">{ "imports": { "three": "/three/build/three.module.js", "three/addons/": "/three/examples/jsm/" } }</script>
 <script type="module">

@@ -1,4 +1,4 @@
-/** Many players on one page, each with a device of its own: all paint at once, and none is blank. */
+/** Tests of many players on one page, each with its own device: all render simultaneously, and none is blank. */
 
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
@@ -7,10 +7,10 @@ import { story } from './fixture.js';
 import { expect, ready, test } from './stage.js';
 
 const PLAYERS = sized(4, 8);
-/** Mean absolute difference of a picture from its own mean: a canvas of one colour has none. */
+/** Minimum mean absolute difference of an image from its own mean: a canvas of one colour has none. */
 const MIN_SPREAD = 4;
 
-/** What each player draws, as greys of a few places: pictures of the window would hold up a machine that plays eight stories. */
+/** Returns the rendering of each player, as grey values of a few points: screenshots of the window would stall a machine that plays eight stories. */
 const looks = (page: Page): Promise<number[][]> =>
   page.evaluate(() =>
     [...document.querySelectorAll<RaconteurPlayer>('raconteur-player')].map((player) => {
@@ -22,7 +22,7 @@ const looks = (page: Page): Promise<number[][]> =>
     }),
   );
 
-/** Mean absolute difference from something. */
+/** Returns the mean absolute difference from a reference. */
 const apart = (look: readonly number[], from: (place: number) => number): number => look.reduce((sum, grey, k) => sum + Math.abs(grey - from(k)), 0) / look.length;
 
 test(`${PLAYERS} players on one page paint at once, at rest and in play`, { tag: '@draws' }, async ({ stage, page }) => {

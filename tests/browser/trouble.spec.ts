@@ -1,4 +1,4 @@
-/** What a visitor sees when something is wrong. */
+/** Tests of the messages that a visitor sees after errors. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -116,7 +116,7 @@ test('nothing is fetched from outside the story and the library', async ({ stage
   expect(asked.filter((path) => path.includes('secret'))).toEqual([]);
 });
 
-/** What an instance says that it was at when it trapped, and what the error must name. */
+/** Activities that an instance reports for a trap, with the text that the error must contain. */
 const TRAPS: readonly (readonly [doing: number, named: RegExp])[] = [
   [1, /reading the figure \/assets\/figures\/sofia\.glb: unreachable/],
   [2, /reading the story \/assets\/stories\/hello-world\/story\.eml: unreachable/],
@@ -147,7 +147,7 @@ test('a trap names what was being read, and its file', async ({ stage, page }) =
   }
 });
 
-/** Takes the graphics away, as a driver's reset does. */
+/** Loses the graphics context, like a driver reset. */
 async function loseThePicture(stage: Stage): Promise<void> {
   await stage.player.evaluate((p) => {
     const canvas = p.shadowRoot?.querySelector('canvas');

@@ -1,4 +1,4 @@
-/** The viewer: animations in layers, limbs by hand and by joint, and a look under the skin. */
+/** Tests of the viewer: animations in layers, limbs by hand and by joint, and the view under the skin. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,7 +9,7 @@ import { expect, poseOf, ready, test, type Stage } from './stage.js';
 
 const figures = join(import.meta.dirname, '../../assets/figures');
 
-/** Opens the viewer standing still, two seconds into its script. */
+/** Opens the viewer paused, two seconds into its script. */
 async function open(page: Page): Promise<void> {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.setViewportSize({ width: 1280, height: 900 });
@@ -22,7 +22,7 @@ async function open(page: Page): Promise<void> {
 
 const eml = (page: Page): Promise<string> => page.locator('#eml').evaluate((code) => code.textContent ?? '');
 
-/** Where a joint is now, world, metres. */
+/** Returns the present position of a joint, world, metres. */
 async function joint(page: Page, name: string): Promise<number[]> {
   const joints = (await poseOf(page.locator('raconteur-player')))?.joints ?? [];
   return [...(joints.find((found) => found.name === name)?.position ?? [])];
@@ -30,7 +30,7 @@ async function joint(page: Page, name: string): Promise<number[]> {
 
 const apart = (a: number[], b: number[]): number => Math.hypot(...a.map((x, i) => x - (b[i] ?? 0)));
 
-/** The picture without the handles that lie over it. */
+/** Returns the image without the handles over it. */
 async function picture(stage: Stage): Promise<Buffer> {
   await stage.page.locator('#overlay').evaluate((e: HTMLElement) => (e.style.visibility = 'hidden'));
   const { png } = await stage.picture();
@@ -38,10 +38,10 @@ async function picture(stage: Stage): Promise<Buffer> {
   return png;
 }
 
-/** Moves a slider as a hand does, in one step. */
+/** Moves a slider like a user, in one step. */
 const slide = (page: Page, name: string, value: number): Promise<void> => page.getByRole('slider', { name }).fill(String(value));
 
-/** Does something, and waits until the player has read the text that follows from it. */
+/** Performs an action, and waits until the player has read the resulting text. */
 async function read(page: Page, act: () => Promise<void>): Promise<void> {
   const player = page.locator('raconteur-player');
   await player.evaluate((p: RaconteurPlayer) => {

@@ -12,7 +12,7 @@ const HZ = 210;
 /** The most by which one sample of the tone differs from the next. */
 const STEEPEST = (LOUD * 2 * Math.PI * HZ) / SAMPLE_RATE;
 
-/** A tone that begins and ends softly, so that only what playing does to it can click. */
+/** Returns a tone with soft start and end, so clicks can only come from playback. */
 function tone(secs: number): Float32Array {
   const ramp = 0.05 * SAMPLE_RATE;
   const length = Math.round(secs * SAMPLE_RATE);
@@ -22,7 +22,7 @@ function tone(secs: number): Float32Array {
   });
 }
 
-/** Opens a story that is out of sight: without pictures to draw, the page is never too busy to listen. */
+/** Opens an invisible story: without rendering, the page is never too busy to record. */
 async function open(stage: Stage, body: string, utterances: readonly Made[], attributes = ''): Promise<void> {
   await stage.open(`<raconteur-player src="story.eml" loading="eager" ${attributes}></raconteur-player>`, {
     'story.eml': story(body),
@@ -32,7 +32,7 @@ async function open(stage: Stage, body: string, utterances: readonly Made[], att
   await stage.ready();
 }
 
-/** The recording once the blocks under way have come. */
+/** Returns the recording once the pending blocks have arrived. */
 async function heard(page: Page): Promise<Captured> {
   const until = await page.evaluate(() => (window.tap.context?.currentTime ?? 0) + 0.1);
   await expect
@@ -225,14 +225,14 @@ test('voice-say: what is waited for, what is not, and what is only made ready', 
 
 declare global {
   interface Window {
-    /** How many recordings were decoded. */
+    /** Number of decoded recordings. */
     decoded: number;
     /** The utterances that the browser got, and their events. */
     said: { text: string; voice: string; lang: string; rate: number; volume: number; end: string; secs: number }[];
   }
 }
 
-/** Runs before the page's own scripts: a browser with these voices, which take so long for a character. */
+/** Runs before the page's own scripts: simulates a browser with these voices, with a given time per character. */
 function speakers({ voices, msec }: { voices: { name: string; lang: string }[]; msec: number }): void {
   window.said = [];
   let under: (() => void) | undefined;

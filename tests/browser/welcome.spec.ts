@@ -1,4 +1,4 @@
-/** Before play: the figure waits, alive, and the story chooses who that is. */
+/** Tests before playback: the waiting figure is animated, and the story selects it. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expect, ready, test, type Stage } from './stage.js';
@@ -7,7 +7,7 @@ const current = (stage: Stage) => stage.player.evaluate((p: RaconteurPlayer) => 
 const told = (stage: Stage) => stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.filter((d) => d.code === 'figure-unusable').map((d) => d.severity));
 const shown = (stage: Stage) => expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.statistics?.firstFrameMs ?? 0), { timeout: 60_000 }).toBeGreaterThan(0);
 
-/** The canvas alone, without what comes and goes over it. */
+/** Returns the canvas only, without transient overlays. */
 async function look(stage: Stage): Promise<Buffer> {
   await stage.player.evaluate((p: RaconteurPlayer) => {
     const canvas = p.shadowRoot?.querySelector('canvas') ?? null;

@@ -1,4 +1,4 @@
-/** What one does to a face, as data: histories and saved sessions are lists of it. */
+/** Actions on a face, as data: histories and saved sessions are lists of them. */
 
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/face/faces.js';
 import type { FaceLook, FaceMark } from '../element/base/face-types.js';
@@ -8,7 +8,7 @@ type Vector3 = readonly [number, number, number];
 
 export type Act =
   | { readonly kind: 'average' }
-  /** A face drawn at random. */
+  /** A random face. */
   | { readonly kind: 'random'; readonly seed: number }
   /** A face of the database. */
   | { readonly kind: 'example'; readonly index: number }
@@ -18,9 +18,9 @@ export type Act =
       readonly name: string;
       readonly amount: number;
       readonly region: FaceRegion;
-      /** And of what goes with it in people. */
+      /** True to change correlated features, too. */
       readonly withAll?: boolean;
-      /** A feature's own part of the face moves, and nothing else; of what a whole person is, as sex or age, the others keep their values. */
+      /** True to move only a feature's own part of the face; for attributes of the whole person, such as sex or age, the others keep their values. */
       readonly alone?: boolean;
     }
   /** So much more of an attribute on the left half, and less on the right. */
@@ -31,20 +31,20 @@ export type Act =
   | { readonly kind: 'import'; readonly index: number; readonly part: FacePart | 'both'; readonly region: FaceRegion }
   | { readonly kind: 'transform'; readonly scale: Vector3; readonly turn: Vector3; readonly way: Vector3; readonly region: FaceRegion }
   | { readonly kind: 'detail'; readonly strength: number }
-  /** What is held from now on. */
+  /** New constraints. */
   | { readonly kind: 'hold'; readonly held: readonly FaceConstraint[] }
-  /** What hair the head has from now on, and what it wears. */
-  | { readonly kind: 'look'; readonly look: FaceLook /** What of it is new. */; readonly what: string }
-  /** What is painted on the skin from now on. */
+  /** New hair and accessories of the head. */
+  | { readonly kind: 'look'; readonly look: FaceLook /** Changed part. */; readonly what: string }
+  /** New marks on the skin. */
   | { readonly kind: 'marks'; readonly marks: readonly FaceMark[]; readonly what: string };
 
 /** Attribute of shape and texture that older people have more of. */
 export const AGEING = 'ageing';
 
-/** What 1 of an age is, years. */
+/** Years per unit of the age attribute. */
 const YEARS = 40;
 
-/** Does an act; then the face holds what it is to hold. Throws what the model says, when it cannot. */
+/** Performs an action and then applies the constraints. Throws the model's error if it is impossible. */
 export function perform(faces: Faces, act: Act, held: readonly FaceConstraint[]): void {
   const now = act.kind === 'hold' ? act.held : held;
   const reached = now.length > 0 && act.kind === 'add' && isWhole(act.region) ? reaches(faces, act) : undefined;
@@ -52,7 +52,7 @@ export function perform(faces: Faces, act: Act, held: readonly FaceConstraint[])
   if (now.length > 0) hold(faces, reached === undefined ? now : [...now, reached]);
 }
 
-/** The parts of a face that an act can change, where so much is held. */
+/** Returns the parts of a face that an action can change, given the constraints. */
 export function changedBy(act: Act, held: readonly FaceConstraint[]): readonly FacePart[] {
   const both = ['shape', 'texture'] as const;
   const own = ((): readonly FacePart[] => {
@@ -75,7 +75,7 @@ export function changedBy(act: Act, held: readonly FaceConstraint[]): readonly F
   return both.filter((part) => own.includes(part) || held.some((h) => h.part === part));
 }
 
-/** Brings the face to what is held; what cannot be says which two values contradict each other. */
+/** Applies the constraints to the face; the error of an impossible one names two contradictory values. */
 function hold(faces: Faces, all: readonly FaceConstraint[]): void {
   try {
     faces.constrain(all);
@@ -87,7 +87,7 @@ function hold(faces: Faces, all: readonly FaceConstraint[]): void {
   }
 }
 
-/** Two values that no face has both; undefined where it takes more than two to contradict each other. */
+/** Returns two contradictory values; undefined if only three or more contradict each other. */
 function contradiction(faces: Faces, all: readonly FaceConstraint[]): readonly [FaceConstraint, FaceConstraint] | undefined {
   const from = faces.keep();
   const meets = (some: readonly FaceConstraint[]): boolean => {
@@ -107,7 +107,7 @@ function contradiction(faces: Faces, all: readonly FaceConstraint[]): readonly [
 
 const isWhole = ({ segments = [], half }: FaceRegion): boolean => segments.length === 0 && half === undefined;
 
-/** What an attribute of the whole head is to be in the end, whatever is held beside it. */
+/** Returns the final value of an attribute of the whole head, whatever the other constraints. */
 function reaches(faces: Faces, { part, name, amount }: Extract<Act, { kind: 'add' }>): FaceConstraint {
   return { part, name, value: faces.value(part, name) + amount };
 }
@@ -164,13 +164,13 @@ function alter(faces: Faces, act: Act): void {
 /** A number with its sign, as it is printed. */
 export const signed = (amount: number, digits = 2): string => `${amount < 0 ? '−' : '+'}${Math.abs(amount).toFixed(digits)}`;
 
-/** A region in words that follow others. */
+/** Returns a description of a region, for use within a sentence. */
 export function where({ segments = [], half }: FaceRegion): string {
   const of = half === undefined ? '' : `, ${half}`;
   return segments.length === 0 ? of : `, ${segments.join(' + ')}${of}`;
 }
 
-/** The latest of what is held, which stands last. */
+/** Returns a description of the latest constraint, the last in the list. */
 function holding(names: readonly string[]): string {
   const others = names.length - 1;
   return names.length === 0 ? 'holds nothing' : `holds ${names.at(-1)}${others === 0 ? '' : ` and ${others} more`}`;

@@ -1,4 +1,4 @@
-/** The state of the composite editor: the history of a face, what of it is chosen, and the face on stage. */
+/** State of the composite editor: the history of a face, the selection, and the face on stage. */
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/face/faces.js';
@@ -18,64 +18,64 @@ import { yearsOf } from './words.js';
 
 export type Tab = 'start' | 'features' | 'parts' | 'look' | 'marks' | 'held' | 'history' | 'pictures';
 
-/** So near that the head fills the picture. */
+/** Zoom at which the head fills the image. */
 const NEAR = 7.4;
 
-/** Lines of age that an average face has, and how many more one whose value of ageing is 1, of 1. */
+/** Age lines of an average face, and their increase per unit of the ageing value, of 1. */
 const LINES = 0.1;
 const LINES_PER_AGE = 0.7;
-/** Of the steps that are made again in a row, each so-manieth face is kept. */
+/** Interval of stored faces among steps that are recomputed in sequence. */
 const CHECKPOINT = 16;
 /** Skin that is not chosen is so bright. */
 const UNLIT = 0.55;
 
-/** What the page does besides the face. */
+/** Functions of the page apart from the face. */
 interface Page {
   draw(): void;
-  /** Tells what went wrong, or well. */
+  /** Reports a failure or a success. */
   say(text: string): void;
   /** The history has changed. */
   changed(): void;
   /** The stage shows the face. */
   shown(): void;
-  /** The stage is to show something else. */
+  /** Reports that the stage should show something else. */
   moved(): void;
-  /** Somebody else of the library is to show the face. */
+  /** Requests another figure of the library to show the face. */
   cast(figure: string): void;
 }
 
 export class App {
   /** A face is best begun with one of the database. */
   tab: Tab = 'start';
-  /** The group of attributes that is shown. */
+  /** Displayed group of attributes. */
   group = 'overall';
-  /** The age that a value of its attribute stands for. */
+  /** Converts a value of the age attribute to an age. */
   readonly yearsOf: (value: number) => number;
-  /** What is looked for, as it was typed. */
+  /** Search text, as typed. */
   search = '';
-  /** The section of the panel that is brought into sight when the panel is drawn next. */
+  /** Section of the panel to scroll into view on the next rendering. */
   sought: string | undefined;
-  /** What goes with a feature in people changes with it. */
+  /** True to change correlated features together with a feature. */
   withAll = false;
   /** Features have sliders for their left and right apart. */
   apart = false;
-  /** What is taken over of a face of the database. */
+  /** Part to take over from a face of the database. */
   taken: FacePart | 'both' = 'both';
-  /** Segments that are changed; all of the head where none is. */
+  /** Selected segments to change; the whole head if empty. */
   readonly segments = new Set<string>();
   half: 'left' | 'right' | undefined;
-  /** What is chosen is lit on the face. */
+  /** True to highlight the selection on the face. */
   lit = true;
-  /** What is placed on the skin by the next press: something new, or one of the marks anew. */
+  /** Object that the next press places on the skin: a new mark, or an existing one to move. */
   placing: FaceMark['kind'] | number | undefined;
   light: { readonly name: Light; readonly turn: number } = { name: 'stage', turn: 0 };
-  /** What dragging on the picture does. */
+  /** Effect of dragging on the image. */
   drag: 'view' | 'move' | 'turn' | 'scale' = 'view';
   /** The slider of moves that is being dragged. */
   sliding: { readonly name: string; readonly amount: number } | undefined;
-  /** Whom faces of the database are chosen by. */
+  /** Filter for the faces of the database. */
   readonly person: Person = { sex: 'any', age: 'any', ancestry: 'any' };
-  /** The first of the faces of the database that are shown, among those that were chosen. */
+  /** Index of the first displayed face of the database, among the filtered ones. */
   first = 0;
   history = new History();
   readonly view: HeadView;
@@ -112,7 +112,7 @@ export class App {
     return this.#moving === undefined && !this.#showing.busy;
   }
 
-  /** How a feature changes: in the segments that are chosen, or in the whole head; alone, unless what goes with it changes too. */
+  /** Scope of a feature's change: the selected segments, or the whole head; isolated, unless correlated features change too. */
   get manner(): { readonly region: FaceRegion; readonly withAll: boolean; readonly alone: boolean } {
     const { region, withAll } = this;
     return { region, withAll, alone: !withAll };
@@ -126,7 +126,7 @@ export class App {
     return this.history.heldAt(this.history.here);
   }
 
-  /** What hair the head has and what it wears, also while a control of it moves. */
+  /** Hair and accessories of the head, including an active control's change. */
   get look(): FaceLook {
     const act = this.#moving?.act;
     if (act?.kind === 'look') return act.look;
@@ -137,13 +137,13 @@ export class App {
     return history.lookAt(history.here) ?? (person === undefined ? {} : lookOf(person, this.player.naturalHair()));
   }
 
-  /** What is painted on the skin, also while a control of it moves. */
+  /** Marks on the skin, including an active control's change. */
   get marks(): readonly FaceMark[] {
     const act = this.#moving?.act;
     return act?.kind === 'marks' ? act.marks : this.history.marksAt(this.history.here);
   }
 
-  /** The face as it is shown. */
+  /** The displayed face. */
   get face(): FigureFace {
     const { look, marks } = this;
     return {
@@ -157,14 +157,14 @@ export class App {
     };
   }
 
-  /** How far lines of age show at rest. */
+  /** Returns the visibility of age lines at rest. */
   #lines(): number {
     const { texture } = this.values;
     const ageing = Math.max(texture.get(AGEING) ?? 0, texture.get('age') ?? 0);
     return Math.min(1, Math.max(0, LINES + ageing * LINES_PER_AGE));
   }
 
-  /** The face with what is chosen lit, while nothing of it moves. */
+  /** The face with the selection highlighted, while no part of it moves. */
   get shown(): FigureFace {
     const { face } = this;
     if (!this.lit || this.tab !== 'parts' || this.segments.size === 0 || this.#moving !== undefined || !this.player.paused) return face;
@@ -178,7 +178,7 @@ export class App {
     return { ...face, factors };
   }
 
-  /** The values of the face that is shown. */
+  /** Values of the displayed face. */
   get values(): Values {
     return this.#reading.all;
   }
@@ -188,7 +188,7 @@ export class App {
     return this.#moving?.values ?? this.values;
   }
 
-  /** A control moves: the face as it was before it moved, and the act. Nothing is a step yet. */
+  /** Previews a moving control: restores the face from before the movement, and applies the action. Adds no step yet. */
   move(act: Act): void {
     this.#moving ??= { from: this.faces.keep(), values: this.values, slopes: new AttributeSlopes(this.values), act: undefined };
     const { from, slopes } = this.#moving;
@@ -202,7 +202,7 @@ export class App {
     this.#changed([]);
   }
 
-  /** The control rests: what it did is a step. */
+  /** Adds the result of a released control as a step. */
   done(): void {
     const act = this.#moving?.act;
     this.#moving = undefined;
@@ -210,7 +210,7 @@ export class App {
     this.#step(act);
   }
 
-  /** Does an act at once. Whether it could be done. */
+  /** Performs an action immediately. Returns false if it is impossible. */
   do(act: Act): boolean {
     this.done();
     if (!this.#try(act, this.faces.keep())) return false;
@@ -219,7 +219,7 @@ export class App {
     return true;
   }
 
-  /** Does an act, or leaves the face as it was and says why. */
+  /** Performs an action, or restores the face and reports the reason. */
   #try(act: Act, from: Uint8Array): boolean {
     try {
       perform(this.faces, act, this.held);
@@ -266,7 +266,7 @@ export class App {
     }
   }
 
-  /** Makes the face of the step that the history is at, from the nearest one before it that was kept. */
+  /** Recomputes the face of the current step from the nearest stored one before it. */
   #arrive(): void {
     const path = this.history.path();
     let from = path.length - 1;
@@ -314,7 +314,7 @@ export class App {
     this.#setScene(readScene(saved));
   }
 
-  /** How the face is shown. */
+  /** Display settings of the face. */
   get scene(): Scene {
     const { figure } = this.player;
     return { ...(isLibraryName(figure) ? { figure } : {}), light: this.light, view: this.view.from };
@@ -326,7 +326,7 @@ export class App {
     if (view !== undefined) this.view.look(view);
   }
 
-  /** Names the face that is shown. */
+  /** Names the displayed face. */
   name(name: string): void {
     this.history.name(name);
     this.page.changed();
@@ -337,7 +337,7 @@ export class App {
     return { ...this.history.save(this.size), scene: this.scene };
   }
 
-  /** What a session remembers of its pack. */
+  /** Pack data stored in a session. */
   get size(): SavedHistory['pack'] {
     const { faces, vertices } = this.faces.pack;
     return { faces, vertices };
@@ -368,7 +368,7 @@ export class App {
     this.redraw();
   }
 
-  /** Tells what went wrong. */
+  /** Reports an error. */
   tell(text: string): void {
     this.page.say(text);
   }
@@ -379,7 +379,7 @@ export class App {
     this.redraw();
   }
 
-  /** Puts the face on the figure; while one is put on, the next waits, and those between are never shown. */
+  /** Puts the face on the figure. During an update only the latest request is kept; intermediate faces are skipped. */
   show(): Promise<void> {
     this.page.moved();
     return this.#showing.show();
@@ -390,7 +390,7 @@ export class App {
     return this.#showing.done;
   }
 
-  /** Draws the page soon; many changes are drawn once. */
+  /** Schedules a rendering of the page; several changes are batched. */
   redraw(): void {
     if (this.#drawn !== 0) return;
     this.#drawn = requestAnimationFrame(() => {

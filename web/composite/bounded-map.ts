@@ -1,4 +1,4 @@
-/** A map that forgets what was put into it longest ago. */
+/** A map with limited size that removes its oldest entries. */
 export class BoundedMap<K, V> {
   readonly #map = new Map<K, V>();
 

@@ -1,6 +1,6 @@
-/** Faces of steps, to the bit, so that undo need not make them again from the beginning. */
+/** Cache of the faces of steps, bit-exact, so undo does not recompute them from the beginning. */
 
-/** The last faces that were used are kept, and of the others each so-manieth. */
+/** Number of most recently used faces that are kept; of the others only each nth. */
 const LATEST = 64;
 const EVERY = 32;
 

@@ -1,10 +1,10 @@
-/** Whether what a file holds is an act within the limits, and what is wrong with it where it is not. */
+/** Validation of actions in a file, with a description of any fault. */
 
 import type { Act } from './acts.js';
 import { LIMITS } from './limits.js';
 import { isLook, isMark, MAX_MARKS } from './look.js';
 
-/** What is wrong, in words that follow "step 12:"; undefined where nothing is. */
+/** Description of a fault, for use after "step 12:"; undefined if there is none. */
 type Fault = string | undefined;
 type Fields = Readonly<Record<string, unknown>>;
 
@@ -86,7 +86,7 @@ const CHECKS: Readonly<Record<Act['kind'], (act: Fields) => Fault>> = {
     ),
 };
 
-/** Whether a value is nested deeper, or has more values in it, than a step may. */
+/** Checks the nesting depth and the number of values of a step. */
 function shape(x: unknown): Fault {
   let values = 0;
   let level: unknown[] = [x];
@@ -99,7 +99,7 @@ function shape(x: unknown): Fault {
   return undefined;
 }
 
-/** What is wrong with an act of a file; names and numbers of faces are the model's to refuse. */
+/** Returns the fault of an action in a file; the model validates names and numbers of faces. */
 export function faultOf(act: unknown): Fault {
   const fault = shape(act);
   if (fault !== undefined) return fault;

@@ -1,10 +1,10 @@
-/** What the editor tells who uses it. */
+/** Messages of the editor to its user. */
 
-/** Where the parts of the editor tell how it went. */
+/** Message sink of the editor's parts. */
 export interface EditorFeedback {
-  /** Tells screen readers. */
+  /** Announces a text to screen readers. */
   say(text: string): void;
-  /** Shows what went wrong; an empty text takes it away. */
+  /** Shows an error message; an empty text removes it. */
   trouble(text: string): void;
 }
 

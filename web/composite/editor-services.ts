@@ -21,7 +21,7 @@ export class EditorServices {
   readonly #thumbnails: Thumbnails;
   readonly #panels: Readonly<Record<Tab, () => TemplateResult>>;
 
-  /** `place` is where players for pictures go, unseen; `sessions` are those that the browser keeps, if it does. */
+  /** Creates the desk; `place` receives the invisible players for images, `sessions` are those stored by the browser, if available. */
   constructor(app: App, place: HTMLElement, tell: EditorFeedback, sessions?: Sessions) {
     const portraits = (this.#portraits = new Portraits(app, place));
     const thumbnails = (this.#thumbnails = new Thumbnails(app, (picture) => {
@@ -55,12 +55,12 @@ export class EditorServices {
     this.#thumbnails.shown();
   }
 
-  /** Other pictures are being drawn. */
+  /** True while other images are being rendered. */
   get busy(): boolean {
     return this.#portraits.busy;
   }
 
-  /** Lets go of what a page that has no use for the editor need not hold. */
+  /** Releases resources that a page without need for the editor does not have to hold. */
   release(): void {
     this.#portraits.release();
   }

@@ -30,7 +30,7 @@ import { reason, type EditorFeedback } from './editor-feedback.js';
 import { TABS, template } from './template.js';
 import { tools } from './tools.js';
 
-/** By then the requested picture is shown. */
+/** Maximum delay until the requested image is shown, milliseconds. */
 const SHOWN_MS = 250;
 /** Inputs in which keys write. */
 const TYPED: readonly string[] = ['number', 'text', 'search'];
@@ -40,43 +40,43 @@ const attributes: PropertyDeclarations = { assets: {}, figure: {}, src: {}, labe
 
 /** Events of the editor's own; as those of a media element they do not bubble. */
 export interface CompositeEventMap {
-  /** The face is shown and can be changed. */
+  /** Fired when the face is shown and can be changed. */
   ready: CustomEvent<undefined>;
-  /** The history has changed: a step was done, undone, gone to or named, or another session is open. */
+  /** Fired when the history has changed: a step was added, undone, visited or named, or another session is open. */
   change: CustomEvent<{
-    /** The step whose face is shown, in words. */
+    /** Description of the step whose face is shown. */
     readonly label: string;
-    /** How many steps the history has, on all its branches. */
+    /** Number of steps in the history, on all its branches. */
     readonly steps: number;
   }>;
-  /** Something went wrong, as a sentence for people; it is shown, too. What was there before stays. */
+  /** Fired after an error, with a message for users, which is also displayed. The previous state is kept. */
   error: CustomEvent<{ readonly message: string }>;
 }
 
 /**
- * The custom element. Properties follow its attributes; it writes none on itself. Its role and name are told by
- * `ElementInternals`, which an author's `role` and `aria-label` override.
+ * The custom element. Properties follow its attributes; it writes none on itself. `ElementInternals` provide its role and name, which an author's `role` and
+ * `aria-label` override.
  */
 export class RaconteurComposite extends LitElement {
-  /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
+  /** Default location of the asset library, without the attribute `assets`: set by the script that a page loads. */
   static library = 'assets/';
   static override styles = [base, casting, controls, viewerControls, look, pictures].map((css) => unsafeCSS(css));
   static override properties = attributes;
 
-  /** Address of the asset library, which holds `figures/` and `faces/`; by default `assets/` beside the script. Read when the editor opens. */
+  /** Address of the asset library, which contains `figures/` and `faces/`; by default `assets/` next to the script. Read when the editor opens. */
   declare assets: string;
-  /** Who shows the face: a name of the library or the address of a file, as of a player. Follows what the user chooses. */
+  /** Figure that shows the face: a name in the library or the address of a file, like a player's. Follows the user's choice. */
   declare figure: string | undefined;
-  /** Address of a saved session that the editor begins with, where the browser has kept none; a later one is opened at once. */
+  /** Address of a saved session to start with, if the browser has stored none; a later value is opened immediately. */
   declare src: string | undefined;
-  /** What the editor is called by screen readers. */
+  /** Accessible name of the editor. */
   declare label: string;
-  /** The browser keeps the work under this name, each name for itself; nothing is kept without one. Read when the editor opens. */
+  /** Name under which the browser stores the work, separately for each name; without one nothing is stored. Read when the editor opens. */
   declare session: string | undefined;
   /** Forces a back end of the players. Read when the editor opens. */
   declare backend: Backend | undefined;
 
-  /** How much work goes into the picture, as of a player. With `auto`, the default, a stage that is drawn simply is drawn with everything as soon as the face rests. */
+  /** Rendering quality, like a player's. With `auto`, the default, a stage with simple rendering is rendered in full quality once the face rests. */
   declare quality: Quality;
 
   // Browsers without it have no role and name for the region, and all else.
@@ -91,7 +91,7 @@ export class RaconteurComposite extends LitElement {
   #trouble = '';
   #status = '';
   #begun = false;
-  /** Everything that a page which has no use for it any more need not hold was let go. */
+  /** True once all releasable resources have been released. */
   #released = false;
   #settle: { readonly opened: () => void; readonly failed: (error: unknown) => void } | undefined;
   readonly #ready: Promise<void>;
@@ -123,7 +123,7 @@ export class RaconteurComposite extends LitElement {
 
   // --- for pages ---
 
-  /** Resolves when the face is shown and can be changed; rejects when the editor cannot be opened. */
+  /** Promise that resolves when the face is shown and can be changed; rejects when the editor cannot be opened. */
   get ready(): Promise<void> {
     return this.#ready;
   }
@@ -133,12 +133,14 @@ export class RaconteurComposite extends LitElement {
     return this.#player;
   }
 
-  /** The face as numbers, once it is ready. What is changed in it directly is no step of the history. */
+  /** The face as numbers, once it is ready. Direct changes are not part of the history. */
   get faces(): Faces | undefined {
     return this.#app?.faces;
   }
 
-  /** Opens a session that `save` gave or a file holds, and resolves when its face is shown; rejects where it cannot be read, and what was there stays. */
+  /**
+   * Opens a session returned by `save` or read from a file, and resolves when its face is shown; rejects if it cannot be read, and keeps the previous state.
+   */
   async open(saved: unknown): Promise<void> {
     await this.#ready;
     this.#session?.settle();
@@ -155,22 +157,22 @@ export class RaconteurComposite extends LitElement {
     return structuredClone(this.#app?.save());
   }
 
-  /** Takes the last step back, as far as there is one. */
+  /** Undoes the last step, if there is one. */
   undo(): void {
     if (this.#app?.history.canUndo) this.#app.undo();
   }
 
-  /** Does again what was undone, as far as something was. */
+  /** Redoes the last undone step, if there is one. */
   redo(): void {
     if (this.#app?.history.canRedo) this.#app.redo();
   }
 
-  /** A copy of the picture of the face, as large as it is drawn; undefined where there is none. */
+  /** Returns a copy of the face's image, at its rendered size; undefined if there is none. */
   snapshot(): HTMLCanvasElement | undefined {
     return this.#player?.snapshot();
   }
 
-  /** Gives the keyboard's focus to the controls. */
+  /** Moves the keyboard focus to the controls. */
   override focus(options?: FocusOptions): void {
     this.#find('#panel')?.focus(options);
   }
@@ -338,7 +340,7 @@ export class RaconteurComposite extends LitElement {
     this.#told();
   }
 
-  /** Tells the page where the history is. */
+  /** Notifies the page of the history's state. */
   #told(): void {
     const app = this.#app;
     if (app === undefined) return;
@@ -353,7 +355,7 @@ export class RaconteurComposite extends LitElement {
     setTimeout(() => this.#app?.view.centre(), SHOWN_MS);
   }
 
-  /** Listens on the shadow, so that only what happens in this editor is heard. */
+  /** Listens on the shadow root, so only events in this editor arrive. */
   #listen(player: RaconteurPlayer): void {
     const root = this.renderRoot;
     cast(
@@ -393,7 +395,7 @@ export class RaconteurComposite extends LitElement {
     });
   }
 
-  /** Brings the section of the panel that somebody looks for into sight, and the focus to it. */
+  /** Scrolls the requested section of the panel into view, and focuses it. */
   #reveal(): void {
     const sought = this.#app?.sought;
     if (this.#app === undefined || sought === undefined) return;
@@ -403,7 +405,7 @@ export class RaconteurComposite extends LitElement {
     section?.querySelector<HTMLElement>('select, button, input')?.focus({ preventScroll: true });
   }
 
-  /** Puts the face on who came on stage. */
+  /** Puts the face on a new figure on stage. */
   #dress(): void {
     this.#centreSoon();
     void this.#app?.show();

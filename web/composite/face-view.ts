@@ -1,21 +1,21 @@
-/** Puts the face that is edited on the figure: one at a time, soon while it changes, and with all its detail when it has come to rest. */
+/** Updates the edited face on the figure: one at a time, fast while it changes, and in full detail at rest. */
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { FigureFace } from '../element/base/face-types.js';
 import { wait } from './hidden-player.js';
 
-/** Whose face has not changed for so long sees it with all its detail, milliseconds. */
+/** Time without changes after which the face is shown in full detail, milliseconds. */
 const RESTED_MS = 150;
 
 export class FaceView {
-  /** The face is near the one that was shown before, and perhaps to the next. */
+  /** True if the face is close to the previous one, and perhaps to the next. */
   moves = false;
   #now: Promise<void> | undefined;
   #behind = false;
   /** Ends the wait for a face to rest. */
   #hurry: () => void = () => undefined;
 
-  /** `face` is asked for what is to be shown; `shown` hears when it is, or what went wrong. */
+  /** Creates the updater; `face` returns the face to show; `shown` is called when it is shown, or with an error. */
   constructor(
     private readonly player: RaconteurPlayer,
     private readonly face: () => FigureFace,
@@ -31,7 +31,7 @@ export class FaceView {
     return this.#now !== undefined;
   }
 
-  /** The face has changed; while one is put on, the next waits, and those between are never shown. */
+  /** Schedules an update of the face; intermediate faces during an update are skipped. */
   show(): Promise<void> {
     this.#behind = true;
     this.#hurry();
@@ -57,7 +57,7 @@ export class FaceView {
     this.shown(fault);
   }
 
-  /** Waits until the face has not changed for a while; then there is more of it to be shown. */
+  /** Waits until the face has not changed for a while; then it is shown in full detail. */
   async #rest(): Promise<void> {
     await new Promise<void>((resolve) => {
       const rested = setTimeout(() => {

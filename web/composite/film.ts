@@ -2,27 +2,27 @@
 
 import type { Size, Studio, ShotObserver } from './shots.js';
 
-/** One turn takes so long. */
+/** Duration of one turn, seconds. */
 const SECS = 4;
 const VIDEO = { width: 720, height: 900, frames: 96 };
-/** GIFs are large and slow to make, so there are fewer and smaller pictures. */
+/** Size and frame count of GIFs, which are large and slow to create, so they have fewer and smaller frames. */
 const GIF = { width: 360, height: 450, frames: 24 };
 
-/** What a film is to be. */
+/** Parameters of a film. */
 export interface Plan extends Size {
   readonly secsPerFrame: number;
 }
 
-/** Makes the file of a film from its pictures. */
+/** Writer of a film file from its frames. */
 export interface FilmWriter {
   readonly extension: 'webm' | 'mp4' | 'gif';
   add(picture: HTMLCanvasElement): Promise<void>;
   finish(): Promise<Blob>;
-  /** Lets go of a film that nobody wants any more. */
+  /** Discards an unwanted film. */
   cancel(): Promise<void>;
 }
 
-/** The turns of a film's pictures, radians: once around, and not the first again. */
+/** Returns the turns of a film's frames, radians: once around, without repeating the first. */
 export function turnsOf(frames: number): number[] {
   return Array.from({ length: frames }, (_, i) => (2 * Math.PI * i) / frames);
 }

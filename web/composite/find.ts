@@ -1,6 +1,6 @@
 /**
- * What of the editor is meant by plain words, in English, Portuguese and German: features, hair, beards, things worn,
- * marks and panels, by whole words and their beginnings, accents folded.
+ * Search of the editor by plain words, in English, Portuguese and German: features, hair, beards, accessories, marks and panels, by whole words and prefixes,
+ * ignoring accents.
  */
 
 import type { FacePack } from '../element/face/faces.js';
@@ -8,44 +8,44 @@ import table from './words.tsv?raw';
 
 type Attribute = FacePack['attributes'][number];
 
-/** A kind of thing and its name there: `feature lips`, `beard full`, `style Hair`, `tab history`. */
+/** A kind of item and its name: `feature lips`, `beard full`, `style Hair`, `tab history`. */
 export type FinderTarget = `${'feature' | 'style' | 'hair' | 'beard' | 'worn' | 'mark' | 'tab' | 'light'} ${string}`;
 
 /** A line of the table. */
 export interface Row {
   readonly thing: FinderTarget;
-  /** What is shown below a feature's name; mostly nothing. */
+  /** Text shown below a feature's name; usually empty. */
   readonly shown: string;
-  /** What people call it, in all languages. */
+  /** Common names, in all languages. */
   readonly called: readonly string[];
 }
 
-/** What was found, the best first. */
+/** A search result; results are sorted by relevance. */
 export interface FinderMatch {
   readonly thing: FinderTarget;
-  /** How well it fits, to 1. */
+  /** Relevance, up to 1. */
   readonly score: number;
 }
 
 interface Phrase {
   readonly words: readonly string[];
-  /** What a group is called says less of each of its features. */
+  /** Weight; the name of a group counts less for each of its features. */
   readonly worth: number;
 }
 
-/** What is searched: the phrases of each thing, and all of their words. */
+/** Search index: the phrases of each item, and all of their words. */
 export interface Index {
   readonly things: ReadonlyMap<FinderTarget, readonly Phrase[]>;
   readonly words: ReadonlySet<string>;
 }
 
-/** The line of words that are of no thing. */
+/** Line of the words that belong to no item. */
 const LIGHT_LINE = 'light words';
 const LIGHT_WEIGHT = 0.3;
-/** Endings by which forms of a word differ: `scared` is none of `scar`; and those of plurals. */
+/** Endings that distinguish forms of a word (`scared` is not a form of `scar`), and those of plurals. */
 const PLURALS = new Set(['', 's', 'es', 'n', 'en']);
 const ENDINGS = new Set(['', 's', 'es', 'e', 'n', 'en', 'er', 'em', 'o', 'a', 'os', 'as']);
-/** Forms of a word have so many letters in common at least. */
+/** Minimum number of letters that forms of a word share. */
 const STEM = 3;
 /** Worth of a form of a word, and of a beginning of one. */
 const OF_FORM = 0.9;
@@ -69,9 +69,9 @@ export function tableOf(text: string): Row[] {
 }
 
 const LINES = tableOf(table);
-/** Words that say in which direction, how much, or nothing at all: they rank what is found, and keep nothing from being found. */
+/** Words of direction, degree, or no meaning: they affect the ranking of results, but exclude none. */
 const LIGHT: ReadonlySet<string> = new Set(LINES.find(({ thing }) => thing === LIGHT_LINE)?.called.flatMap(wordsOf));
-/** What there is to be found. */
+/** Searchable items. */
 export const TABLE: readonly Row[] = LINES.filter(({ thing }) => thing !== LIGHT_LINE);
 
 /** The words of a text: small letters without accents. */
@@ -82,7 +82,7 @@ export function wordsOf(text: string): string[] {
 
 const weightOf = (word: string): number => (LIGHT.has(word) ? LIGHT_WEIGHT : 1);
 
-/** What a pack and the editor have, to be searched. */
+/** Builds the search index of a pack and the editor. */
 export function indexOf(attributes: readonly Attribute[], rows: readonly Row[] = TABLE): Index {
   const things = new Map<FinderTarget, Phrase[]>();
   const add = (thing: FinderTarget, texts: readonly string[], worth = 1): void => {
@@ -105,7 +105,10 @@ const isForm = (a: string, b: string, endings: ReadonlySet<string>): boolean => 
   return same >= STEM && endings.has(a.slice(same)) && endings.has(b.slice(same));
 };
 
-/** The words of the index that a typed word may be, with their worth: itself and its plural where there is such a word, else its forms, else those that begin with it. */
+/**
+ * Returns the words of the index that a typed word may mean, with their weights: itself and its plural if present, else its forms, else words with it as
+ * prefix.
+ */
 function meant(typed: string, words: ReadonlySet<string>): ReadonlyMap<string, number> {
   const isKnown = words.has(typed);
   const forms = [...words].filter((word) => isForm(typed, word, isKnown ? PLURALS : ENDINGS));
@@ -115,7 +118,7 @@ function meant(typed: string, words: ReadonlySet<string>): ReadonlyMap<string, n
   return new Map(begun.map((word) => [word, OF_BEGINNING + ((OF_FORM - OF_BEGINNING) * typed.length) / word.length]));
 }
 
-/** How well a phrase is what was typed: shares of each that are in the other, as one number to 1. */
+/** Returns the match of a phrase with the typed words: the shares of each found in the other, as one number up to 1. */
 function fit({ words, worth }: Phrase, typed: readonly ReadonlyMap<string, number>[], weights: readonly number[]): { score: number; isContained: boolean } {
   const used = new Set<string>();
   let [ofTyped, all] = [0, 0];
@@ -135,7 +138,7 @@ function fit({ words, worth }: Phrase, typed: readonly ReadonlyMap<string, numbe
   return { score: a + b === 0 ? 0 : (worth * 2 * a * b) / (a + b), isContained: needed.length > 0 && needed.every((word) => used.has(word)) };
 }
 
-/** What is meant by words. All that have all of them; where nothing has, all that are called by some of them. */
+/** Searches by words. Returns all items that match all words; if none does, all that match some of them. */
 export function search({ things, words }: Index, typed: string): FinderMatch[] {
   const all = wordsOf(typed);
   if (all.length === 0) return [];
@@ -157,7 +160,7 @@ export function search({ things, words }: Index, typed: string): FinderMatch[] {
   return best.map(({ thing, score }) => ({ thing, score }));
 }
 
-/** How many letters are to be changed, left out, put in or swapped to make one word of another. */
+/** Returns the number of letters to change, omit, insert or swap between two words. */
 function distance(a: string, b: string): number {
   const rows: number[][] = [Array.from({ length: b.length + 1 }, (_, j) => j)];
   for (let i = 1; i <= a.length; i += 1) {
@@ -173,7 +176,7 @@ function distance(a: string, b: string): number {
   return rows[a.length]?.[b.length] ?? a.length;
 }
 
-/** What else could be typed, the nearest first: words that are unknown give way to those that are written most like them. */
+/** Returns suggestions for the search text, nearest first: unknown words are replaced by those with the most similar spelling. */
 export function nearest(index: Index, typed: string, most = 3): string[] {
   const all = wordsOf(typed);
   const unknown = all.find((word) => !LIGHT.has(word) && meant(word, index.words).size === 0) ?? all.find((word) => !LIGHT.has(word));

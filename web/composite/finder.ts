@@ -1,4 +1,4 @@
-/** What is shown where somebody has typed what is looked for: the features that are meant, and ways to all else. */
+/** View of search results: the matching features, and links to all other matches. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { FacePack } from '../element/face/faces.js';
@@ -10,7 +10,7 @@ import { TABS } from './template.js';
 
 type Attribute = FacePack['attributes'][number];
 
-/** Things that are offered beside features, at most. */
+/** Maximum number of results offered in addition to features. */
 const MAX_OFFERS = 8;
 
 const named = (kind: string, names: Readonly<Record<string, string>>): Row[] =>
@@ -20,7 +20,7 @@ const namesOf = (things: Readonly<Record<string, { readonly name: string }>>): R
 
 const NAMES = { hair: HAIR, beard: BEARDS, worn: namesOf(WEAR), mark: namesOf(MARKS), tab: TABS } as const;
 type Kind = keyof typeof NAMES;
-/** Panel, and section of it, of a kind of thing. */
+/** Panel, and section of it, of a kind of item. */
 const PLACES: Readonly<Record<Exclude<Kind, 'tab'>, readonly [tab: Tab, section?: string]>> = {
   hair: ['look', 'Hair'],
   beard: ['look', 'Beard'],
@@ -28,7 +28,7 @@ const PLACES: Readonly<Record<Exclude<Kind, 'tab'>, readonly [tab: Tab, section?
   mark: ['marks'],
 };
 
-/** What the features of a pack, and the editor's own things, are found by. */
+/** Builds the index of a pack's features and the editor's own items. */
 export function finderOf(attributes: readonly Attribute[]): Index {
   return indexOf(attributes, [...TABLE, ...Object.entries(NAMES).flatMap(([kind, names]) => named(kind, names))]);
 }
@@ -36,13 +36,13 @@ export function finderOf(attributes: readonly Attribute[]): Index {
 export interface FoundFeature {
   /** The features that are meant, the best first. */
   readonly features: readonly Attribute[];
-  /** The ways to all else. */
+  /** Links to all other matches. */
   readonly ways: TemplateResult | typeof nothing;
   /** The best is no feature. */
   readonly isElsewhere: boolean;
 }
 
-/** What is meant by what was typed. */
+/** Returns the results for the search text. */
 export function found(app: App, index: Index, typed: string): FoundFeature {
   const things = search(index, typed).map(({ thing }) => thing);
   const features = things.flatMap((thing) => app.faces.pack.attributes.filter(({ name }) => thing === `feature ${name}`));
@@ -54,7 +54,7 @@ export function found(app: App, index: Index, typed: string): FoundFeature {
   };
 }
 
-/** Buttons that lead to the panels of things. */
+/** Returns buttons that open the panels of items. */
 function waysTo(app: App, things: readonly FinderTarget[]): TemplateResult | typeof nothing {
   if (things.length === 0) return nothing;
   return html`<div class="ways" role="group" aria-label="Found elsewhere">${things.map((thing) => {
@@ -63,7 +63,7 @@ function waysTo(app: App, things: readonly FinderTarget[]): TemplateResult | typ
   })}</div>`;
 }
 
-/** What a thing is called, where it is, and how one comes there. */
+/** Returns the name of an item, its location, and a function that opens it. */
 function wayTo(app: App, thing: FinderTarget): { readonly name: string; readonly panel: string; readonly go: () => void } {
   const [, kind = '', key = ''] = /^(\w+) (.*)$/.exec(thing) ?? [];
   if (kind === 'style') return { name: key, panel: TABS.look, go: () => app.turnTo('look', key) };
@@ -77,7 +77,7 @@ function wayTo(app: App, thing: FinderTarget): { readonly name: string; readonly
   return { name, panel: section === undefined ? TABS[tab] : `${TABS[tab]}, ${section.toLowerCase()}`, go };
 }
 
-/** What is written most like what was typed. */
+/** Returns spelling suggestions for the search text. */
 function proposals(app: App, index: Index, typed: string): TemplateResult {
   const take = (word: string) => (): void => {
     app.search = word;

@@ -1,10 +1,13 @@
-/** Where a processor draws, the stage is simple enough to be quick; as soon as the face rests, a picture with everything takes its place. */
+/**
+ * Full-quality rendering of a resting face with software rendering: the stage renders simply to be fast, and a full-quality image replaces it once the face
+ * rests.
+ */
 
 import type { App } from './app.js';
 import { openHidden, type Hidden } from './hidden-player.js';
 import { enlarge } from './shots.js';
 
-/** Who goes on within this time has not come to rest. */
+/** Time without changes after which the face counts as resting, milliseconds. */
 const REST_MS = 1200;
 /** Qualities at which the stage lacks lines and fine hair. */
 const SIMPLE: readonly string[] = ['lowest', 'low'];
@@ -13,11 +16,11 @@ export class FineDetail {
   #hidden: Promise<Hidden> | undefined;
   #figure: string | undefined;
   #waiting: ReturnType<typeof setTimeout> | undefined;
-  /** Counts what has changed: a picture of what was before is not shown. */
+  /** Change counter: an outdated image is not shown. */
   #changes = 0;
   #drawing = false;
 
-  /** `place` is where its player goes, unseen; `over` lies over the stage; while others are `busy` drawing, it waits. */
+  /** Creates the view: `place` receives its player, `over` lies over the stage; it waits while others are `busy` rendering. */
   constructor(
     private readonly app: App,
     private readonly place: HTMLElement,
@@ -25,7 +28,7 @@ export class FineDetail {
     private readonly busy: () => boolean,
   ) {}
 
-  /** The stage shows something else. */
+  /** Called when the stage shows something else. */
   changed(): void {
     this.#changes += 1;
     this.over.hidden = true;
@@ -33,7 +36,7 @@ export class FineDetail {
     this.#waiting = setTimeout(() => void this.#draw(), REST_MS);
   }
 
-  /** Lets go of the player. */
+  /** Releases the player. */
   release(): void {
     clearTimeout(this.#waiting);
     void this.#hidden?.then(({ close }) => close()).catch(() => undefined);

@@ -1,4 +1,4 @@
-/** What of gifenc is used; it has no types of its own. */
+/** Declarations for the used part of gifenc, which has no types of its own. */
 declare module 'gifenc' {
   type Palette = readonly (readonly number[])[];
   export function quantize(rgba: Uint8ClampedArray, colours: number): Palette;

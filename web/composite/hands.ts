@@ -1,4 +1,4 @@
-/** What a pointer does on the face: it turns the head, chooses segments, moves them, and places marks. */
+/** Pointer actions on the face: turning the head, selecting and moving segments, and placing marks. */
 
 import { readPose } from '../element/engine/pose.js';
 import { lookAround } from '../pages/head-view.js';
@@ -7,7 +7,7 @@ import { place } from './marks-panel.js';
 
 /** A press that moves less far chooses, pixels. */
 const STILL_PX = 5;
-/** Dragging over so many pixels doubles nearly threefold (by e). */
+/** Pixels of a drag that multiply the size by e. */
 const SCALE_PX = 200;
 /** A turn of a segment, radians for each pixel. */
 const TURN_PER_PX = 0.006;
@@ -17,7 +17,7 @@ const MAX_BYTES = 1.6;
 
 type Vector3 = readonly [number, number, number];
 
-/** What dragging on the picture by so much does to the segments. */
+/** Change of the segments by a drag. */
 interface Change {
   readonly scale: Vector3;
   readonly turn: Vector3;
@@ -26,13 +26,13 @@ interface Change {
 
 const within = (x: number, most: number): number => Math.min(most, Math.max(-most, x));
 
-/** Metres of the head that a pixel of the picture shows. */
+/** Returns the metres of the head per image pixel. */
 function metresPerPixel({ player }: App): number {
   const camera = readPose(player)?.camera;
   return camera === undefined ? 0 : 1 / camera.pixelsPerMetre(camera.target, Math.max(1, player.clientHeight));
 }
 
-/** The change that a drag makes, seen from `turn` radians around the head. */
+/** Returns the change that a drag makes, seen from `turn` radians around the head. */
 export function changeOf(drag: Exclude<App['drag'], 'view'>, right: number, up: number, turn: number, metres: number): Change {
   const still: Change = { scale: [1, 1, 1], turn: [0, 0, 0], way: [0, 0, 0] };
   const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
@@ -49,7 +49,7 @@ export function changeOf(drag: Exclude<App['drag'], 'view'>, right: number, up: 
   return { ...still, scale: Math.abs(sin) > Math.SQRT1_2 ? [1, factor(up), factor(right)] : [factor(right), factor(up), 1] };
 }
 
-/** Chooses the segment at a place of the window; `more`: beside those that are chosen. */
+/** Selects the segment at a position of the window; `more` adds to the selection. */
 function choose(app: App, event: PointerEvent): void {
   const spot = app.player.pickFace(event.clientX, event.clientY);
   const nearest = spot?.corners[spot.shares.indexOf(Math.max(...spot.shares))];
@@ -62,7 +62,7 @@ function choose(app: App, event: PointerEvent): void {
   app.chosen();
 }
 
-/** Connects the pad over the picture with the face. */
+/** Connects the pointer pad over the image with the face. */
 export function handle(app: App, pad: HTMLElement): void {
   const changes = (): boolean => app.tab === 'parts' && app.drag !== 'view' && (app.segments.size > 0 || app.half !== undefined);
   lookAround(app.view, pad, () => !changes() && app.placing === undefined);

@@ -1,29 +1,29 @@
-/** A player that nobody sees, for pictures of faces that are not on stage. */
+/** Invisible player for images of faces that are not on stage. */
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Quality } from '../element/base/types.js';
 import { HeadView, type Look } from '../pages/head-view.js';
 import { REST_SECS, still } from './script.js';
 
-/** What the hidden player shows, and how. */
+/** Content of the hidden player. */
 export interface HiddenPlayerOptions {
-  /** Called so by tools that look for hidden elements. */
+  /** Name for tools that list hidden elements. */
   readonly label: string;
-  /** The player of the stage: who shows the face, the library, the back end. */
+  /** The player of the stage: its figure, library and back end are used. */
   readonly like: RaconteurPlayer;
   readonly quality: Quality;
   readonly look: Look;
 }
 
-/** A hidden player that stands still with its head in the middle. */
+/** A hidden, paused player with its head in the centre. */
 export interface Hidden {
   readonly player: RaconteurPlayer;
   readonly view: HeadView;
-  /** Gives back what it takes of the graphics card. */
+  /** Releases its graphics resources. */
   close(): void;
 }
 
-/** Opens a hidden player in a place that lies unseen in the page. */
+/** Opens a hidden player in an invisible part of the page. */
 export async function openHidden(place: HTMLElement, { label, like, quality, look }: HiddenPlayerOptions): Promise<Hidden> {
   const player = document.createElement('raconteur-player');
   player.label = label;
@@ -49,5 +49,5 @@ export async function openHidden(place: HTMLElement, { label, like, quality, loo
   }
 }
 
-/** Lets the page do other things for so many milliseconds. */
+/** Waits for a number of milliseconds, so the page can do other work. */
 export const wait = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));

@@ -1,4 +1,4 @@
-/** The history as a list: small pictures and words of its steps, its branches, and the faces that were named. */
+/** The history as a list: thumbnails and descriptions of its steps, its branches, and the named faces. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { label } from './acts.js';
@@ -7,17 +7,17 @@ import type { Step } from './history.js';
 import type { KeptPanel } from './kept-panel.js';
 import type { Thumbnails } from './thumbnails.js';
 
-/** Steps that are listed at once. */
+/** Maximum number of steps listed at a time. */
 const LISTED = 200;
 
-/** Where a step goes on from, where that is not the step before it. */
+/** Returns the origin of a step, if it is not the preceding step. */
 export function branch({ parent }: Step, step: number): string | undefined {
   if (parent === step - 1) return undefined;
   return parent === 0 ? 'from the beginning' : `from step ${parent}`;
 }
 
 export class HistoryPanel {
-  /** The first step that is listed, where it was asked for from the present one. */
+  /** First listed step, as requested from the present one. */
   #asked: { readonly first: number; readonly here: number; readonly history: App['history'] } | undefined;
 
   constructor(

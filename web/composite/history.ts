@@ -1,4 +1,4 @@
-/** The history of a face: a tree, because who goes back and does something else keeps what was there. */
+/** History of a face: a tree, so going back and doing something else keeps the earlier branch. */
 
 import type { FacePart } from '../element/face/faces.js';
 import type { Act } from './acts.js';
@@ -8,37 +8,37 @@ import type { Scene } from './scene.js';
 
 /** One step. */
 export interface Step {
-  /** The step that it goes on from; −1 for the first. */
+  /** Parent step; −1 for the first. */
   readonly parent: number;
   readonly act: Act;
   /** A name that its author gave to the face after it. */
   readonly name?: string;
 }
 
-/** A history as it is saved; the format of files and of what the browser keeps. */
+/** A saved history; the format of files and of the browser storage. */
 export interface SavedHistory {
   readonly format: 'raconteur-composite';
   /** The first version had no scene. */
   readonly version: 1 | 2;
-  /** How many faces and vertices the pack has that its numbers are of. */
+  /** Number of faces and vertices in the pack that its numbers refer to. */
   readonly pack: { readonly faces: number; readonly vertices: number };
   readonly steps: readonly Step[];
   readonly here: number;
-  /** How the face is shown. */
+  /** Display settings of the face. */
   readonly scene?: Scene;
 }
 
 export class History {
   #steps: Step[] = [{ parent: -1, act: { kind: 'average' } }];
   #here = 0;
-  /** Where one went last from each step. */
+  /** Last visited child of each step. */
   #next = new Map<number, number>();
 
   get steps(): readonly Step[] {
     return this.#steps;
   }
 
-  /** The step whose face is shown. */
+  /** Current step. */
   get here(): number {
     return this.#here;
   }
@@ -57,7 +57,7 @@ export class History {
     return step;
   }
 
-  /** Goes on by an act from here; the new step. */
+  /** Adds an action after the current step; returns the new step. */
   add(act: Act): number {
     const index = this.#steps.push({ parent: this.#here, act }) - 1;
     this.#next.set(this.#here, index);
@@ -76,14 +76,14 @@ export class History {
     this.#here = this.#next.get(this.#here) ?? this.#here;
   }
 
-  /** Goes to any step; redo leads along the way that led there. */
+  /** Goes to any step; redo follows the path that led there. */
   go(index: number): void {
     this.#here = index;
     const path = this.path(index);
     path.slice(1).forEach((step, i) => this.#next.set(path[i] ?? 0, step));
   }
 
-  /** Names the face that is shown; an empty name takes it away. */
+  /** Names the current face; an empty name removes the name. */
   name(name: string): void {
     const { parent, act } = this.#step(this.#here);
     this.#steps[this.#here] = name === '' ? { parent, act } : { parent, act, name };
@@ -96,17 +96,17 @@ export class History {
     return path.reverse();
   }
 
-  /** What is held after a step. */
+  /** Returns the constraints after a step. */
   heldAt(index: number): Extract<Act, { kind: 'hold' }>['held'] {
     return this.#latest(index, 'hold')?.held ?? [];
   }
 
-  /** What hair the head has after a step, and what it wears. */
+  /** Returns the hair and accessories of the head after a step. */
   lookAt(index: number): Extract<Act, { kind: 'look' }>['look'] | undefined {
     return this.#latest(index, 'look')?.look;
   }
 
-  /** What the face of a step began with: the average, a face of the database or one by chance. */
+  /** Returns the initial action of a step's face: the average, a face of the database or a random one. */
   #beginning(index: number): Act {
     for (let at = index; at > 0; at = this.#step(at).parent) {
       const { act } = this.#step(at);
@@ -115,26 +115,26 @@ export class History {
     return this.#step(0).act;
   }
 
-  /** The face of the database that the face began with, at a step; undefined where it did not, or began anew since. */
+  /** Returns the database face from which the face at a step started; undefined if it started otherwise, or was restarted since. */
   exampleAt(index: number): number | undefined {
     const act = this.#beginning(index);
     return act.kind === 'example' ? act.index : undefined;
   }
 
-  /** The seed of the random face that the face began with, at a step; undefined where it did not, or began anew since. */
+  /** Returns the seed of the random face from which the face at a step started; undefined if it started otherwise, or was restarted since. */
   randomAt(index: number): number | undefined {
     const act = this.#beginning(index);
     return act.kind === 'random' ? act.seed : undefined;
   }
 
-  /** A number of its own for each face that a history began with: another one for another face, 0 for the average. */
+  /** Returns a unique number for each initial face of a history; 0 for the average. */
   seedAt(index: number): number {
     const [example, random] = [this.exampleAt(index), this.randomAt(index)];
     if (example !== undefined) return 2 * example + 1;
     return random === undefined ? 0 : 2 * (random % 2 ** 30) + 2;
   }
 
-  /** How much of an attribute the left half was given and the right half was taken since the face was begun. */
+  /** Returns the amount of an attribute added to the left half and subtracted from the right half since the face was started. */
   asymmetryAt(index: number, part: FacePart, name: string): number {
     let sum = 0;
     for (let at = index; at >= 0; at = this.#step(at).parent) {
@@ -145,12 +145,12 @@ export class History {
     return sum;
   }
 
-  /** What is painted on the skin after a step. */
+  /** Returns the marks on the skin after a step. */
   marksAt(index: number): Extract<Act, { kind: 'marks' }>['marks'] {
     return this.#latest(index, 'marks')?.marks ?? [];
   }
 
-  /** The last act of a kind on the way to a step. */
+  /** Returns the last action of a kind on the path to a step. */
   #latest<K extends Act['kind']>(index: number, kind: K): Extract<Act, { kind: K }> | undefined {
     for (let at = index; at >= 0; at = this.#step(at).parent) {
       const { act } = this.#step(at);
@@ -163,7 +163,7 @@ export class History {
     return { format: 'raconteur-composite', version: 2, pack, steps: this.#steps, here: this.#here };
   }
 
-  /** The history that was saved; throws an `Error` that says what is wrong with it. */
+  /** Reads a saved history; throws an `Error` that describes the fault. */
   static read(saved: unknown, pack: SavedHistory['pack']): History {
     const { format, version, pack: own, steps, here } = (typeof saved === 'object' && saved !== null ? saved : {}) as Partial<Record<keyof SavedHistory, unknown>>;
     if (format !== 'raconteur-composite') throw new Error('This is not a session of the composite editor.');

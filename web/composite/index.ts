@@ -1,4 +1,4 @@
-/** What a page imports that embeds the composite editor: registers `<raconteur-composite>` and `<raconteur-player>`. */
+/** Entry module for pages that embed the composite editor: registers `<raconteur-composite>` and `<raconteur-player>`. */
 
 import { register } from './register.js';
 

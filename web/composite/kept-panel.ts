@@ -1,11 +1,11 @@
-/** The sessions that the browser keeps, to open and to delete: no work is hidden. */
+/** List of the stored sessions, to open and to delete: all stored work is visible. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { App } from './app.js';
 import type { Session } from './session.js';
 import type { Listed } from './session-store.js';
 
-/** What is done with kept sessions. */
+/** Operations on stored sessions. */
 export interface Sessions {
   readonly session: Session;
   open(id: string): Promise<void>;

@@ -1,16 +1,16 @@
-/** What a session may hold. Whoever works by hand comes to none of these; a file that has more is refused by name. */
+/** Limits of a session. Manual work never reaches them; a file that exceeds one is rejected with its name. */
 
 export const LIMITS = {
   /** A saved session as text. */
   bytes: 32e6,
   steps: 10_000,
-  /** How deep a step is nested, and how many values it has. */
+  /** Nesting depth of a step, and its number of values. */
   depth: 8,
   values: 5000,
   letters: 200,
-  /** Of one step: of an attribute, of age, of the texture's own detail; and values that are held. */
+  /** Limits of a step: of an attribute, of age, of the texture's own detail, and of constrained values. */
   amount: 20,
-  /** A caricature: 1 changes nothing. */
+  /** Level of a caricature: 1 changes nothing. */
   level: [0, 4],
   /** A segment along an axis. */
   scale: [0.25, 4],

@@ -1,4 +1,4 @@
-/** Hair, beard, brows, and what the head wears. */
+/** Panel of hair, beard, brows, and accessories. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { FaceLook, HairColour, HairLook, NaturalHair, AccessoryKind } from '../element/base/face-types.js';
@@ -8,10 +8,10 @@ import { hexOf, linearOf } from '../element/base/colour.js';
 import { plainLook } from '../element/face/face-look.js';
 import { BEARDS, HAIR, mixed, toggled, WEAR } from './look.js';
 
-/** What of a look has a colour of hair. */
+/** Parts of a look with a hair colour. */
 type Part = 'hair' | 'beard' | 'brows';
 
-/** How the colour of a part was mixed: two natural colours, a share of the second, and the share of grey. */
+/** Mixture of a part's colour: two natural colours, the share of the second, and the share of grey. */
 interface HairMixture {
   readonly a: string;
   readonly b: string;
@@ -112,7 +112,7 @@ export class LookPanel {
       }`;
   }
 
-  /** How a colour was mixed, as far as that is remembered or can be told from it. */
+  /** Returns the mixture of a colour, if it is stored or can be derived. */
   #mixtureOf(part: Part, own: HairColour | undefined): HairMixture {
     if (own === undefined) return UNMIXED;
     const plain = this.#natural.find(({ colour }) => colour.eumelanin === own.eumelanin && colour.pheomelanin === own.pheomelanin);

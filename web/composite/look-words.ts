@@ -1,4 +1,4 @@
-/** Hair, beard, what is worn, marks and light in words, for reports. */
+/** Descriptions of hair, beard, accessories, marks and light, for reports. */
 
 import type { FaceMark, HairColour, NaturalHair } from '../element/base/face-types.js';
 import type { App } from './app.js';
@@ -7,7 +7,7 @@ import { BEARDS, HAIR, MARKS, SHAPES, WEAR } from './look.js';
 import { LIGHTS } from './scene.js';
 
 const DEGREE = Math.PI / 180;
-/** Hair with so little grey has none. */
+/** Minimum share of grey; below it hair counts as not grey. */
 const MIN_GREY = 0.005;
 
 /** A colour by the nearest natural one, and its grey. */
@@ -26,7 +26,7 @@ function markOf({ kind, size, shape, text }: FaceMark): string {
   return `${MARKS[kind].name.toLowerCase()}${motif}, ${Math.round(1000 * size)} mm`;
 }
 
-/** What a head has besides its features, and in which light it is. */
+/** Returns the properties of a head in addition to its features, and its light. */
 export function lookFacts({ look, marks, light }: Pick<App, 'look' | 'marks' | 'light'>, natural: readonly NaturalHair[]): [name: string, text: string][] {
   // Sessions of before name hair and beards by the figures that lent them.
   const { hair, beard } = plainLook(look) ?? {};

@@ -1,9 +1,9 @@
-/** What hair a head has, what it wears and what is painted on it: the choices there are, and whether a file's are among them. */
+/** Hair, accessories and skin marks: available choices, and validation of a file's choices. */
 
 import { FORMER_HAIR } from '../element/face/face-look.js';
 import type { FaceLook, FaceMark, HairColour, TattooShape, Accessory, AccessoryKind } from '../element/base/face-types.js';
 
-/** Hair: what is not the figure's own is a file of the library, `hair/NAME.glb`. */
+/** Hair styles: other than the figure's own they are files of the library, `hair/NAME.glb`. */
 export const HAIR: Readonly<Record<string, string>> = {
   own: 'As it is',
   none: 'Shaved',
@@ -29,7 +29,7 @@ export const HAIR: Readonly<Record<string, string>> = {
   bun: 'Tied back in a bun',
   braid: 'Braid',
 };
-/** Beards; stubble is painted, the others are files as hair is. */
+/** Beards; stubble is painted, the others are files like hair. */
 export const BEARDS: Readonly<Record<string, string>> = {
   own: 'As it is',
   none: 'None',
@@ -83,7 +83,7 @@ export const MAX_MARK_LENGTH = 0.12;
 /** Letters in a tattoo, at most. */
 export const MAX_LETTERS = 24;
 
-/** The look with another thing worn, in the place of what it excludes; without it where it was worn. */
+/** Returns the look with an accessory toggled; a new one replaces those that it excludes. */
 export function toggled(look: FaceLook, kind: AccessoryKind): FaceLook {
   const { wear = [] } = look;
   const isWorn = wear.some((w) => w.kind === kind);
@@ -106,14 +106,14 @@ const isHair = (x: unknown, names: Readonly<Record<string, string>>): boolean =>
   x === undefined || (isRecord(x) && (x['from'] === undefined || [names, FORMER_HAIR].some((known) => Object.hasOwn(known, String(x['from'])))) && isPigment(x['colour']));
 const isWear = (x: unknown): boolean => isRecord(x) && Object.hasOwn(WEAR, String(x['kind'])) && isColour(x['colour']);
 
-/** Whether what a file holds is a look. */
+/** Returns true if a file's value is a look. */
 export function isLook(x: unknown): x is FaceLook {
   if (!isRecord(x) || !isHair(x['hair'], HAIR) || !isHair(x['beard'], BEARDS) || !isPigment(x['brows'])) return false;
   const { wear = [], cut = 'full' } = x;
   return ['full', 'moustache', 'goatee'].includes(cut as string) && Array.isArray(wear) && wear.length <= Object.keys(WEAR).length && wear.every(isWear);
 }
 
-/** Whether what a file holds is a mark. */
+/** Returns true if a file's value is a mark. */
 export function isMark(x: unknown): x is FaceMark {
   if (!isRecord(x) || !Object.hasOwn(MARKS, String(x['kind'])) || !isWithin(x['size'], 0.0005, MAX_MARK_LENGTH) || !isWithin(x['turn'], -7, 7)) return false;
   const { corners, shares, shape = 'star', text = '', strength = 1 } = x;

@@ -1,4 +1,4 @@
-/** Scars, moles, birthmarks and tattoos: what is placed next, and a list of those that are there. */
+/** Panel of scars, moles, birthmarks and tattoos: the next one to place, and a list of existing ones. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { FaceMark, FaceSpot, TattooShape } from '../element/base/face-types.js';
@@ -8,7 +8,7 @@ import { MAX_MARK_LENGTH, MARKS, MAX_LETTERS, MAX_MARKS, SHAPES } from './look.j
 
 const DEGREE = Math.PI / 180;
 
-/** Places what is chosen on a spot of the skin; whether that could be done. */
+/** Places the selected mark at a spot of the skin; returns false if that is impossible. */
 export function place(app: App, spot: FaceSpot): boolean {
   const { placing } = app;
   if (placing === undefined) return false;

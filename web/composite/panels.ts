@@ -21,7 +21,7 @@ export const PARTS: Readonly<Record<FacePart, string>> = { shape: 'Shape', textu
 
 // --- features ---
 
-/** The terms of an attribute with a slider between them, buttons for one step, and one that holds it. */
+/** Returns the terms of an attribute with a slider between them, buttons for one step, and a toggle for its constraint. */
 function feature(app: App, a: Attribute): TemplateResult {
   const { part, name, terms } = a;
   const value = app.values[part].get(name) ?? 0;
@@ -78,7 +78,7 @@ function asymmetry(app: App, { part, name }: Attribute, of: string): TemplateRes
   })}</div>`;
 }
 
-/** A value of an attribute in words. Between the average and none of something there is less of it. */
+/** Describes the value of an attribute. Between the average and none of something there is less of it. */
 export function told(value: number, [less, more]: Attribute['terms']): string {
   const percent = Math.round(100 * Math.abs(value));
   if (percent === 0) return 'average';
@@ -124,7 +124,7 @@ export function features(app: App, index: Index): TemplateResult {
     ${isElsewhere || shown.length === 0 ? nothing : ways}`;
 }
 
-/** How features change. */
+/** Returns the controls for the scope of feature changes. */
 function manner(app: App): TemplateResult {
   return html`${check('With correlated features', app.withAll, (on) => {
     app.withAll = on;
@@ -137,7 +137,7 @@ function manner(app: App): TemplateResult {
     <p class="about">${target(app)} <em>Hold</em> keeps a feature as it is, whatever else changes.</p>`;
 }
 
-/** What is changed now. */
+/** Returns a description of the current target of changes. */
 function target(app: App): string {
   const of = app.half === undefined ? '' : `, ${app.half} half`;
   if (app.segments.size > 0) return `Changes ${[...app.segments].join(', ')}${of}.`;

@@ -1,4 +1,4 @@
-/** Segments of the face, and what is done to those that are chosen. */
+/** Panel of face segments, and the operations on the selected ones. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
@@ -9,7 +9,7 @@ import type { App } from './app.js';
 import { PARTS } from './panels.js';
 import type { SegmentPictures } from './segment-pictures.js';
 
-/** What dragging on the picture does. */
+/** Effects of dragging on the image. */
 const DRAGS = { view: 'turns the head', move: 'moves', turn: 'turns', scale: 'scales' } as const;
 const HALVES = { both: 'Both', left: 'Left', right: 'Right' } as const;
 
@@ -46,13 +46,13 @@ export function parts(app: App, pictures: SegmentPictures): TemplateResult {
     ${moves(app)} ${wholes(app)}`;
 }
 
-/** A segment to choose by its picture. */
+/** Returns a segment tile with its image. */
 function tile(name: string, picture: string | undefined, on: boolean, toggle: (on: boolean) => void): TemplateResult {
   return html`<label><img src=${picture ?? nothing} width="56" height="72" alt="" />
     <input type="checkbox" .checked=${live(on)} @change=${(event: Event) => toggle((event.target as HTMLInputElement).checked)} /><span>${name}</span></label>`;
 }
 
-/** Moves of what is chosen: each slider is back in its middle when it rests. */
+/** Returns the sliders for moving the selection: each returns to its middle at rest. */
 function moves(app: App): TemplateResult {
   const slider = resting(app);
   const none = { scale: [1, 1, 1], turn: [0, 0, 0], way: [0, 0, 0] } as const;
@@ -70,7 +70,7 @@ function moves(app: App): TemplateResult {
   </section>`;
 }
 
-/** What is done to all that is chosen at once. */
+/** Returns the operations on the whole selection. */
 function wholes(app: App): TemplateResult {
   const { region } = app;
   const slider = resting(app);
@@ -102,7 +102,7 @@ interface CentredSlider {
   readonly act: (amount: number) => Act;
 }
 
-/** Sliders that show what would be while they are dragged, make it a step when they are let go, and are back in the middle then. */
+/** Returns sliders that preview while dragged, add a step on release, and then return to the middle. */
 function resting(app: App): (slider: CentredSlider) => TemplateResult {
   return ({ name, most, unit, text, act }) => {
     const value = app.sliding?.name === name ? app.sliding.amount : 0;

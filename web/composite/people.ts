@@ -1,4 +1,4 @@
-/** Who the faces of the database are, and which of them are like a description (F&H 5.1.1). It chooses faces, and never changes one. */
+/** Persons of the database, and those that match a description (F&H 5.1.1). It selects faces, and never changes one. */
 
 import type { FacePack } from '../element/face/faces.js';
 import type { FaceLook, NaturalHair } from '../element/base/face-types.js';
@@ -24,7 +24,7 @@ const YEARS: Readonly<Record<keyof typeof AGES, readonly [from: number, below: n
   late: [56, 66],
   old: [66, 200],
 };
-/** Who has less of every ancestry is mixed. */
+/** Minimum share of an ancestry; below it for all of them, a person counts as mixed. */
 const MAINLY = 0.6;
 
 function isLike({ sex, ageYears, ancestry }: Personal, wanted: Person): boolean {
@@ -51,10 +51,10 @@ export function describe({ sex, ageYears, ancestry }: Personal): string {
   return `${who} of ${Math.round(ageYears)}, ${from}`;
 }
 
-/** Hair begins to be grey at this age, and is so many years later, roughly: about half of it is grey at 62. */
+/** Age at which hair begins to turn grey, and its rate: about half of it is grey at 62. */
 const GREY_FROM_YEARS = 42;
 const GREY_IN_YEARS = 40;
-/** Who is younger has the body of a child; men older than this that of an old man. */
+/** Age limits of body figures: younger people have the body of a child; men older than the second limit that of an old man. */
 const GROWN_YEARS = 13;
 const OLD_YEARS = 57;
 const BEARD_FROM_YEARS = 20;
@@ -62,7 +62,7 @@ const BEARD_FROM_YEARS = 20;
 /** Groups of people who wear the same hair. */
 type Group = 'girl' | 'woman' | 'lady' | 'boy' | 'youth' | 'man' | 'elder';
 
-/** Hair that is common in a group; a name that stands twice is twice as common. */
+/** Common hair styles of a group; a name listed twice is twice as common. */
 const WORN: Readonly<Record<Group, readonly string[]>> = {
   girl: ['long', 'straight', 'ponytail', 'braid', 'page', 'bob'],
   woman: ['bob', 'wavy', 'long', 'straight', 'curly', 'ponytail', 'bun', 'pixie'],
@@ -92,13 +92,13 @@ function groupOf({ sex, ageYears }: Personal): Group {
   return ageYears < 32 ? 'youth' : ageYears < OLD_YEARS ? 'man' : 'elder';
 }
 
-/** One of some, the same for the same person: what is read of them is as good as chance. */
+/** Selects one item, always the same for the same person: the choice is pseudo-random. */
 function one<T>(of: readonly T[], { ageYears, sex, ancestry }: Personal, salt: number): T {
   const noise = Math.sin(ageYears * 127.1 + sex * 311.7 + ancestry[0] * 74.7 + ancestry[1] * 269.5 + salt * 53.3) * 43_758.545;
   return of[Math.floor((noise - Math.floor(noise)) * of.length)] as T;
 }
 
-/** The hair and the beard that somebody of the database is shown with until its author chooses others: what people of that sex, age and ancestry wear, grey with the years. */
+/** Returns the default hair and beard of a database person: common for their sex, age and ancestry, grey with age. */
 export function lookOf(person: Personal, natural: readonly NaturalHair[]): FaceLook {
   const { ageYears, ancestry, sex } = person;
   const grey = Math.min(1, Math.max(0, (ageYears - GREY_FROM_YEARS) / GREY_IN_YEARS));
@@ -110,10 +110,10 @@ export function lookOf(person: Personal, natural: readonly NaturalHair[]): FaceL
   return { hair: { from, colour }, beard: { from: beard, colour }, brows: colour && { ...colour, grey: 0.7 * grey } };
 }
 
-/** Figures of the library, and the usual one where none is named. */
+/** Figures of the library; the empty name is the default figure. */
 export const FIGURES: ReadonlySet<string> = new Set(['', 'sofia', 'papous', 'nuno', 'amara', 'kenji', 'lia']);
 
-/** The figure of the library whose body and clothes suit somebody of the database. */
+/** Returns the library figure whose body and clothes suit a database person. */
 export function figureOf({ sex, ageYears, ancestry }: Personal): string {
   if (ageYears < GROWN_YEARS) return sex >= 0.5 ? 'lia' : 'nuno';
   if (sex >= 0.5) return ancestry[2] >= 0.5 ? 'amara' : 'sofia';

@@ -1,4 +1,4 @@
-/** What one takes away of a face: pictures for paper, a film, a report. One at a time, by a player of its own. */
+/** Panel of exports: printable images, a film, a report. One at a time, by a separate player. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { choice } from '../pages/fields.js';
@@ -14,7 +14,7 @@ import { FRAMES, HEAD, Studio, type Framing, type ShotObserver } from './shots.j
 const SIDE_NAMES = { front: 'Front', quarter: 'Three-quarter', profile: 'Profile' } as const;
 type Side = keyof typeof SIDE_NAMES;
 const TURNS: Readonly<Record<Side, number>> = { front: SIDES.Front, quarter: SIDES['Three-quarter'], profile: SIDES.Left };
-/** From where a picture for paper is taken: also from where the stage shows the face, and from all of the sides. */
+/** Views of printable images, including the view of the stage, and all sides. */
 const FROM_NAMES = { stage: 'As on the stage', ...SIDE_NAMES, all: 'All three' } as const;
 type ViewpointName = keyof typeof FROM_NAMES;
 const ALL = Object.keys(SIDE_NAMES) as Side[];
@@ -23,7 +23,7 @@ const GROUNDS = { stage: 'As on the stage', plain: 'A plain wall, in even light'
 /** Sharp on paper at a third of its width, in pixels. */
 const REPORT_SIZE = { width: 640, height: 800 };
 
-/** What is being made. */
+/** An export in progress. */
 interface Job {
   readonly what: string;
   readonly end: AbortController;
@@ -38,7 +38,7 @@ export class Pictures {
   #name = 'face';
   #job: Job | undefined;
 
-  /** `place` is where the player goes, unseen; `say` tells what became of it, `trouble` what went wrong. */
+  /** Creates the panel; `place` receives the invisible player, `say` reports results, `trouble` reports errors. */
   constructor(
     private readonly app: App,
     place: HTMLElement,
@@ -94,7 +94,7 @@ export class Pictures {
       <button type="button" class="plain" @click=${() => job.end.abort()}>Cancel</button></div>`;
   }
 
-  /** Does one thing, tells how far it is, and what became of it. */
+  /** Runs one export, and reports its progress and result. */
   async #run(what: string, work: (watch: ShotObserver, file: string) => Promise<string>): Promise<void> {
     if (this.#job !== undefined) return;
     const end = new AbortController();
@@ -167,7 +167,7 @@ export class Pictures {
     });
   }
 
-  /** The pictures of the report. */
+  /** Renders the images of the report. */
   async #sides(watch: ShotObserver): Promise<ReportPicture[]> {
     const sides = ALL.map((side) => ({ turn: TURNS[side] }));
     const pictures = await this.#studio.all(sides, REPORT_SIZE, watch, this.#framing);
@@ -180,7 +180,7 @@ function saved(file: Blob, name: string): string {
   return `${name} is saved.`;
 }
 
-/** What a file may be called anywhere. */
+/** Returns a file name that is valid on every system. */
 export function fileName(name = ''): string {
   return (
     name

@@ -1,11 +1,11 @@
-/** A picture before a plain wall: the same face before two places that differ tells what of a picture is the place. */
+/** An image in front of a plain wall, derived from two images of the same face in different sets, whose differences mark the background. */
 
 /** The wall: linear greys of passports are about as bright. */
 export const WALL = 205;
-/** A pixel of the figure differs by no more between two places: what they throw on it, and noise. Of 255. */
+/** Maximum difference of a figure pixel between two sets, caused by reflected light and noise, of 255. */
 const SAME = 6;
 
-/** Whether each pixel is the figure: what is alike in both pictures and hangs together with the middle. */
+/** Returns the mask of the figure: pixels that are equal in both images and connected with the centre. */
 export function figureOf(a: Uint8ClampedArray, b: Uint8ClampedArray, width: number, height: number): Uint8Array {
   const isLike = (i: number): boolean => [0, 1, 2].every((c) => Math.abs((a[4 * i + c] ?? 0) - (b[4 * i + c] ?? 0)) <= SAME);
   const like = Uint8Array.from({ length: width * height }, (_, i) => Number(isLike(i)));
@@ -34,7 +34,7 @@ function reached(values: Uint8Array, width: number, height: number, value: numbe
   return found;
 }
 
-/** The first of two pictures before the wall; its edges are as soft as a pixel. */
+/** Returns the first of two images in front of the wall; its edges are one pixel soft. */
 export function beforeWall(one: HTMLCanvasElement, other: HTMLCanvasElement): HTMLCanvasElement {
   const { width, height } = one;
   const context = one.getContext('2d');

@@ -1,4 +1,4 @@
-/** Small pictures of faces of the database, drawn by a player of their own, one after another. */
+/** Thumbnails of database faces, rendered by a separate player, one after another. */
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { FaceConstraint } from '../element/face/faces.js';
@@ -8,11 +8,11 @@ import { openHidden, wait } from './hidden-player.js';
 import { BoundedMap } from './bounded-map.js';
 import { lookOf } from './people.js';
 
-/** Who looks at faces for so long wants their pictures, milliseconds; a player of its own is no small thing to open. */
+/** Time for which faces must be in view before their images are rendered, milliseconds, since opening a separate player is expensive. */
 const LOOKED_AT_MS = 150;
-/** Pictures that are kept. */
+/** Maximum number of stored images. */
 const MAX_PORTRAITS = 240;
-/** So near that hair and chin are in the picture. */
+/** Zoom at which hair and chin are in the image. */
 const LOOK = { turn: 0.25, tilt: 0.02, zoom: 6.2 };
 
 export class Portraits {
@@ -23,13 +23,13 @@ export class Portraits {
   #heldKey = '[]';
   #drawing = false;
 
-  /** `place` is where the player goes, unseen. */
+  /** Creates the renderer; `place` receives the invisible player. */
   constructor(
     private readonly app: App,
     private readonly place: HTMLElement,
   ) {}
 
-  /** The picture of a face that holds what is held, as a data URL; undefined until it was drawn. */
+  /** Returns the image of a face with the constraints applied, as a data URL; undefined until it is rendered. */
   of(index: number): string | undefined {
     return this.#pictures.get(this.#key(index));
   }
@@ -42,12 +42,12 @@ export class Portraits {
     return this.#drawing;
   }
 
-  /** How many of these are there. */
+  /** Returns the number of these that are rendered. */
   done(indices: readonly number[]): number {
     return indices.filter((index) => this.of(index) !== undefined).length;
   }
 
-  /** Draws what of these is not there yet, adapted to what is held; those asked for before are left out. */
+  /** Renders the missing ones of these, with the constraints applied; earlier requests are dropped. */
   want(indices: readonly number[], held: readonly FaceConstraint[]): void {
     this.#wanted = indices;
     this.#held = held;
@@ -55,12 +55,12 @@ export class Portraits {
     if (!this.#drawing && this.#next() !== undefined) void this.#draw();
   }
 
-  /** Nobody looks at faces now: none is drawn after the present one. */
+  /** Stops rendering after the present face, since no faces are in view. */
   rest(): void {
     this.#wanted = [];
   }
 
-  /** Lets go of the player; the next faces that are wanted get another. */
+  /** Releases the player; the next request opens another. */
   release(): void {
     this.#player = undefined;
     this.place.replaceChildren();
@@ -96,7 +96,7 @@ export class Portraits {
     }
   }
 
-  /** A face of the database, as it would be taken over; the face that is edited stays as it is. */
+  /** Returns a face of the database, as it would be taken over; the edited face stays unchanged. */
   #face(index: number): FigureFace {
     const { faces, player } = this.app;
     const own = faces.keep();

@@ -1,4 +1,4 @@
-/** A picture of the face for paper: a PNG file that says how large it is. */
+/** A printable image of the face: a PNG file with its physical size. */
 
 import type { Framing, Side, Studio, ShotObserver } from './shots.js';
 
@@ -6,10 +6,10 @@ import type { Framing, Side, Studio, ShotObserver } from './shots.js';
 export const PRINT_SIZE = { width: 1181, height: 1476 };
 /** 300 dots per inch, in dots per metre. */
 const PER_METRE = 11811;
-/** Signature and header of a PNG, which come first. */
+/** Length of a PNG's signature and header, which come first. */
 const HEAD_BYTES = 33;
 
-/** The pictures from some sides, to be printed. */
+/** Renders printable images from some sides. */
 export async function printPictures(studio: Studio, sides: readonly Side[], watch: ShotObserver, framing: Framing): Promise<Blob[]> {
   const files: Blob[] = [];
   for await (const picture of studio.shots(sides, PRINT_SIZE, watch, framing)) {
@@ -20,7 +20,7 @@ export async function printPictures(studio: Studio, sides: readonly Side[], watc
   return files;
 }
 
-/** A PNG with a chunk that says how dense its pixels are (pHYs; PNG 11.3.4.3). Browsers write none. */
+/** Returns a PNG with a pixel density chunk (pHYs; PNG 11.3.4.3). Browsers write none. */
 export function withDensity(png: Uint8Array): Uint8Array<ArrayBuffer> {
   const chunk = new Uint8Array(21);
   const view = new DataView(chunk.buffer);

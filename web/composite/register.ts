@@ -3,7 +3,7 @@
 import { register as registerPlayer } from '../element/register.js';
 import { RaconteurComposite } from './element.js';
 
-/** Makes elements of this name editors. `library`: where the asset library is for those that do not say. */
+/** Registers the editor element under this name. `library`: default location of the asset library. */
 export function register(library?: string): void {
   registerPlayer(library);
   // Elements that stand in the page become editors at once, so what they need is said before.

@@ -1,10 +1,10 @@
-/** The report on paper and as a file. Both are drawn once, by lit, so that what somebody typed is text and never markup. */
+/** Report for printing and as a file. lit renders both once, so user input is text and never markup. */
 
 import { html, render, type TemplateResult } from 'lit';
 import type { Report } from './report.js';
 import look from './report.css?inline';
 
-/** A picture in the report. */
+/** An image in the report. */
 export interface ReportPicture {
   readonly name: string;
   /** A data URL. */
@@ -30,7 +30,7 @@ function page({ name, date, facts, groups, held, steps }: Report, pictures: read
     <ul class="steps">${steps.map(({ step, text }) => html`<li><span>${step}</span>${text}</li>`)}</ul>`;
 }
 
-/** In a page of its own a report is the main part of it. */
+/** Renders a report; on a page of its own it is the main part. */
 function draw(report: Report, pictures: readonly ReportPicture[], as: 'section' | 'main'): HTMLElement {
   const drawn = document.createElement(as);
   drawn.className = 'report';
@@ -56,7 +56,7 @@ export async function printReport(report: Report, pictures: readonly ReportPictu
   window.print();
 }
 
-/** A report as a file that needs nothing besides itself. */
+/** Returns a report as a self-contained file. */
 export function reportFile(report: Report, pictures: readonly ReportPicture[]): Blob {
   const drawn = draw(report, pictures, 'main');
   // Lit marks its places by comments.

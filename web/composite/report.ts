@@ -1,4 +1,4 @@
-/** The report of a face: what it looks like and all that it is made of. */
+/** Report of a face: a description and all of its data. */
 
 import type { FacePart, Faces } from '../element/face/faces.js';
 import { label, signed, where } from './acts.js';
@@ -10,26 +10,26 @@ import { AGES, ANCESTRIES, SEXES } from './people.js';
 /** A value that is nearer to the average is written as 0.00. */
 const MIN_VALUE = 0.005;
 
-/** What a report says, in the order in which it says it. */
+/** Content of a report, in order. */
 export interface Report {
-  /** The name that the face was given. */
+  /** Name of the face. */
   readonly name: string;
   readonly date: Date;
-  /** Names of facts and what they are. */
+  /** Names and values of facts. */
   readonly facts: readonly (readonly [name: string, text: string])[];
   readonly groups: readonly { readonly title: string; readonly rows: readonly { readonly name: string; readonly term: string; readonly value: string }[] }[];
   readonly held: readonly string[];
-  /** Steps on the way to the face, each with its number in the history. */
+  /** Steps on the path to the face, each with its number in the history. */
   readonly steps: readonly { readonly step: number; readonly text: string }[];
 }
 
-/** What a report is made of. */
+/** Sources of a report. */
 export type ReportInput = Pick<App, 'history' | 'values' | 'held' | 'person' | 'look' | 'marks' | 'light'> & {
   readonly faces: Pick<Faces, 'pack'>;
   readonly player: Pick<App['player'], 'naturalHair'>;
 };
 
-/** The report of the face that is shown. */
+/** Returns the report of the displayed face. */
 export function reportOf(app: ReportInput, date: Date): Report {
   const { history, faces, held, person } = app;
   const { pack } = faces;

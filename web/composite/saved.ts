@@ -3,7 +3,7 @@
 import { fetchText } from '../element/base/fetching.js';
 import { LIMITS } from './limits.js';
 
-/** What a text holds; throws an `Error` for people. */
+/** Parses a text; throws an `Error` with a message for users. */
 export function parse(text: string): unknown {
   try {
     return JSON.parse(text);

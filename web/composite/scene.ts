@@ -1,19 +1,19 @@
-/** How a face is shown besides its steps: on whose body, in which light, and from where. It belongs to the session. */
+/** Display settings of a face in addition to its steps: body, light, and view. Part of the session. */
 
 import type { Light } from '../element/base/types.js';
 import type { Look } from '../pages/head-view.js';
 
 export interface Scene {
-  /** Whose body, clothes and voice it is, by a name of the library; undefined for a file of the user's own, which a session does not hold. */
+  /** Library name of the figure with body, clothes and voice; undefined for a user's own file, which a session does not contain. */
   readonly figure?: string | undefined;
   readonly light?: { readonly name: Light; readonly turn: number };
   readonly view?: Look;
 }
 
-/** Lamps, and what they are called. */
+/** Lights, with their displayed names. */
 export const LIGHTS: Readonly<Record<Light, string>> = { stage: 'Stage', daylight: 'Window', evening: 'Lamp', studio: 'Studio' };
 
-/** A name of the library; an address might lead anywhere. */
+/** Pattern of a library name; an arbitrary address is rejected. */
 const NAME = /^[a-z][a-z0-9-]{0,39}$/;
 /** Numbers of a scene are not larger. */
 const MAX_NUMBER = 100;
@@ -23,7 +23,7 @@ export const isLibraryName = (figure: string | undefined): figure is string => f
 const isRecord = (x: unknown): x is Record<string, unknown> => typeof x === 'object' && x !== null;
 const isNumber = (x: unknown): x is number => typeof x === 'number' && Math.abs(x) <= MAX_NUMBER;
 
-/** The scene of what was saved; what of it cannot be read is left as it is on stage. */
+/** Reads the display settings of saved data; unreadable parts leave the stage unchanged. */
 export function readScene(saved: unknown): Scene {
   const scene = isRecord(saved) ? saved['scene'] : undefined;
   if (!isRecord(scene)) return {};

@@ -1,8 +1,8 @@
-/** What the figure is told: to be still, or to say a sentence. */
+/** Scripts of the figure: being still, or speaking a sentence. */
 
 import { tag } from '../speech/markup.js';
 
-/** How long a face that says nothing is shown, seconds; then it begins again. */
+/** Duration for which a silent face is shown, seconds; then it restarts. */
 const LENGTH_SECS = 600;
 
 const whole = (clauses: readonly string[]): string => `${tag('eml', { name: 'composite' }, [tag('body', {}, [...clauses])])}\n`;
@@ -15,8 +15,11 @@ export const stillIn = (set: string): string =>
 
 const escapeText = (text: string): string => text.replace(/&/g, '&amp;').replace(/</g, '&lt;');
 
-/** A script that says a sentence. */
+/** Returns a script that speaks a sentence. */
 export const saying = (text: string): string => whole([tag('voice-text', { time: 0.4 }, [escapeText(text), tag('tm', { name: 'said' })]), tag('null', { time: 'said+1s' })]);
 
-/** A moment of it, seconds: all has come to rest, and a piece of what moves the soft face begins, so that another face at it takes the fewest steps. */
+/**
+ * Story time, seconds, at which all motion has come to rest and a segment of the soft-face simulation begins, so another face at this time takes the fewest
+ * steps.
+ */
 export const REST_SECS = 1.6;

@@ -1,13 +1,13 @@
-/** Small pictures of a face with one segment lit, to choose segments by. */
+/** Thumbnails of a face with one segment highlighted, for selecting segments. */
 
 import type { Faces } from '../element/face/faces.js';
 
-/** Size of a picture, pixels, and what of the head it shows: left and right of the middle, and heights, metres. */
+/** Size of a thumbnail, pixels, and its extent on the head: left and right of the middle, and heights, metres. */
 const WIDTH = 84;
 const HEIGHT = 108;
 const HALF_M = 0.092;
 const BOTTOM_M = -0.115;
-/** A vertex covers so many pixels each way, so that there are no holes. */
+/** Radius covered by a vertex, pixels, so there are no holes. */
 const REACH = 2;
 /** Light falls from above and from the left. */
 const LIGHT = { x: -0.5, y: 0.85, strength: 14 };
@@ -60,7 +60,7 @@ function shaded(depth: Float32Array, scale: number): Float32Array {
   });
 }
 
-/** The picture of a relief with the vertices of a mask lit, as a data URL, which pages of a strict policy may show. */
+/** Returns the image of a relief with the vertices of a mask highlighted, as a data URL, which pages with a strict policy may show. */
 function picture({ vertices, bright }: Relief, mask: Float64Array, canvas: HTMLCanvasElement): string {
   const context = canvas.getContext('2d');
   const image = new ImageData(WIDTH, HEIGHT);
@@ -74,13 +74,13 @@ function picture({ vertices, bright }: Relief, mask: Float64Array, canvas: HTMLC
   return canvas.toDataURL('image/png');
 }
 
-/** Pictures of all segments, made when one is asked for. */
+/** Thumbnails of all segments, rendered on the first request. */
 export class SegmentPictures {
   #pictures: ReadonlyMap<string, string> | undefined;
 
   constructor(private readonly faces: Faces) {}
 
-  /** That of a segment, of the face as it was when the first was asked for. */
+  /** Returns the thumbnail of a segment, of the face at the time of the first request. */
   of(name: string): string | undefined {
     this.#pictures ??= this.#draw();
     return this.#pictures.get(name);

@@ -1,4 +1,4 @@
-/** What becomes of an editor's face when sessions are opened and begun. */
+/** Opening and starting of sessions in an editor. */
 
 import type { App } from './app.js';
 import { History } from './history.js';
@@ -6,7 +6,7 @@ import type { Sessions } from './kept-panel.js';
 import type { OpenedSession, Session } from './session.js';
 import { reason, type EditorFeedback } from './editor-feedback.js';
 
-/** Begins with a session; without one where it cannot be read. Whether it could be. */
+/** Starts with a session, or without one if it cannot be read. Returns false in that case. */
 export function reopen(app: App, saved: unknown, tell: EditorFeedback): boolean {
   if (saved === undefined) return false;
   try {
@@ -19,7 +19,7 @@ export function reopen(app: App, saved: unknown, tell: EditorFeedback): boolean 
 }
 
 export class SessionKeeper implements Sessions {
-  /** `told` is called when another session is open. */
+  /** Creates the keeper; `told` is called when another session is open. */
   constructor(
     private readonly app: App,
     readonly session: Session,
@@ -27,14 +27,14 @@ export class SessionKeeper implements Sessions {
     private readonly told: () => void,
   ) {}
 
-  /** Begins with what the browser has kept; what cannot be read stays there as it is. */
+  /** Starts with the stored session; unreadable data remain stored unchanged. */
   goOn({ saved, isCopy }: OpenedSession): void {
     if (!reopen(this.app, saved, this.tell)) void this.session.begin();
     else if (isCopy) this.tell.trouble('Another tab has this session open: this is a copy of it. Both are in the tab History, under Stored sessions.');
     else this.session.adopt(this.app.save());
   }
 
-  /** Opens a session that the browser has kept; the one before is kept, too. */
+  /** Opens a stored session; the previous one remains stored. */
   async open(id: string): Promise<void> {
     const { app, session, tell } = this;
     try {
@@ -52,7 +52,7 @@ export class SessionKeeper implements Sessions {
     }
   }
 
-  /** Leaves the session as it is kept, and begins another. */
+  /** Leaves the stored session, and begins another. */
   async begin(): Promise<void> {
     const { app, session } = this;
     session.settle();

@@ -1,14 +1,14 @@
 /**
- * Where the browser keeps sessions: IndexedDB, step by step, so that a step costs the same however many there are;
- * and what IndexedDB has not confirmed, in a journal that is written at once, since a tab that is killed takes what is on its way with it.
+ * Browser storage of sessions: IndexedDB, step by step, so each step costs the same; and a synchronous journal of data that IndexedDB has not confirmed, since
+ * a killed tab loses pending writes.
  */
 
 import { createStore, promisifyRequest } from 'idb-keyval';
 import type { SavedHistory, Step } from './history.js';
 
-/** What is known of a kept session without its steps. */
+/** Metadata of a stored session, without its steps. */
 export interface Head {
-  /** When it was changed last, milliseconds since 1970. */
+  /** Time of the last change, milliseconds since 1970. */
   readonly at: number;
   readonly pack: SavedHistory['pack'];
   readonly here: number;
@@ -20,12 +20,12 @@ export interface Head {
   readonly picture?: string | undefined;
 }
 
-/** A kept session in a list. */
+/** A stored session in a list. */
 export interface Listed extends Head {
   readonly id: string;
 }
 
-/** What of a session is new. */
+/** Changes of a session. */
 export interface Change {
   readonly head: Head;
   readonly steps: readonly (readonly [step: number, Step])[];
@@ -33,7 +33,7 @@ export interface Change {
 
 const JOURNAL = 'raconteur-composite ';
 
-/** Keys of heads and steps; those of the old form, which held a session in one piece, are a name and an identifier. */
+/** Keys of metadata and steps; keys of the former format, with a session in one piece, are a name and an identifier. */
 const headKey = (name: string, id: string) => ['head', name, id];
 const stepKey = (name: string, id: string, step: number) => ['step', name, id, step];
 const below = (key: readonly string[]): IDBKeyRange => IDBKeyRange.bound([...key], [...key, []]);
@@ -44,7 +44,7 @@ export class SessionStore {
 
   constructor(private readonly name: string) {}
 
-  /** Puts what is new of a session, all or nothing. */
+  /** Stores the changes of a session atomically. */
   async put(id: string, { head, steps }: Change): Promise<void> {
     await this.#store('readwrite', (store) => {
       for (const [i, step] of steps) store.put(step, stepKey(this.name, id, i));
@@ -63,7 +63,7 @@ export class SessionStore {
     return listed.sort((a, b) => b.at - a.at);
   }
 
-  /** A session as it was saved; undefined where there is none. */
+  /** Reads a saved session; undefined if there is none. */
   async read(id: string): Promise<SavedHistory | undefined> {
     const head = await this.#store('readonly', (store) => promisifyRequest<Head | undefined>(store.get(headKey(this.name, id))));
     if (head === undefined) return undefined;
@@ -98,7 +98,7 @@ export class SessionStore {
     return await this.#store('readonly', (store) => Promise.all([promisifyRequest(store.getAllKeys(range)), promisifyRequest<T[]>(store.getAll(range))]));
   }
 
-  /** Brings sessions of the old form into this one. */
+  /** Converts sessions of the former format. */
   async #renew(): Promise<void> {
     const [keys, old] = await this.#all<{ readonly at: number; readonly saved: SavedHistory }>(below([this.name]));
     for (const [i, kept] of old.entries()) {
@@ -112,11 +112,11 @@ export class SessionStore {
   }
 }
 
-/** What of a session is on its way; written before anything else happens. */
+/** Journal of pending session data; written before anything else. */
 export class Journal {
   constructor(private readonly key: string) {}
 
-  /** Whether it is written; where a page may not store anything so, IndexedDB alone keeps what there is. */
+  /** Writes a change; returns false if the page has no synchronous storage: then IndexedDB is the only storage. */
   write(change: Change | undefined): boolean {
     try {
       if (change === undefined) localStorage.removeItem(this.key);

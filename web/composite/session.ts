@@ -1,14 +1,14 @@
-/** Sessions that the browser keeps, each of one editor at a time. */
+/** Sessions stored by the browser, each used by one editor at a time. */
 
 import type { SavedHistory, Step } from './history.js';
 import { SessionStore, type Change, type Head, type Listed } from './session-store.js';
 
-/** Views that change are kept so soon after they rest; steps at once. */
+/** Delay after which view changes are stored, milliseconds; steps are stored immediately. */
 const SOON_MS = 250;
 
 const lockOf = (id: string): string => `raconteur-composite-${id}`;
 
-/** Holds a session while the tab is open, or until `end`; false where another editor has it. */
+/** Locks a session while the tab is open, or until `end`; returns false if another editor holds it. */
 async function hold(id: string, end: AbortSignal): Promise<boolean> {
   // Without locks, which old browsers lack, each editor has a session of its own.
   if (!('locks' in navigator)) return false;
@@ -32,15 +32,15 @@ export class Session {
   /** Under this the tab remembers its session. */
   readonly #tabKey: string;
   #id = crypto.randomUUID() as string;
-  /** Ends when this editor lets others have its session. */
+  /** Aborts when this editor releases its session. */
   #held = new AbortController();
-  /** Ends what listens to the page. */
+  /** Aborts the listeners on the page. */
   #open = new AbortController();
-  /** The steps as they were given to be kept, and the scene. */
+  /** Steps in the form passed for storage, and the scene. */
   #given: Step[] = [];
   #scene = '';
   #picture: string | undefined;
-  /** What IndexedDB has not confirmed: steps by their number, each with the number of the change that it came with. */
+  /** Data not yet confirmed by IndexedDB: steps by their number, each with the number of its change. */
   readonly #pending = new Map<number, { readonly step: Step; readonly change: number }>();
   #changes = 0;
   /** The last change of each session that this editor has had. */
@@ -48,7 +48,7 @@ export class Session {
   #waiting: ReturnType<typeof setTimeout> | undefined;
   #soon: (() => SavedHistory) | undefined;
 
-  /** `name` tells the sessions of one page from those of another; `trouble` hears when the browser cannot keep the session. */
+  /** Creates the store; `name` separates the sessions of different pages; `trouble` is called when the browser cannot store the session. */
   constructor(
     name: string,
     private readonly trouble: (reason: string) => void,
@@ -61,7 +61,7 @@ export class Session {
     return this.#id;
   }
 
-  /** The session that was worked on last, where no other editor has it; else a copy of it, which is this editor's own. Nothing where there is none. */
+  /** Opens the last session, if no other editor holds it; else a copy of it for this editor. Returns undefined if there is none. */
   async open(): Promise<OpenedSession | undefined> {
     this.#listen();
     try {
@@ -102,7 +102,7 @@ export class Session {
     }
   }
 
-  /** What killed tabs have left in their journals goes to where it belongs. */
+  /** Recovers data from the journals of killed tabs. */
   async #recover(): Promise<void> {
     for (const id of this.#shelf.journals()) {
       const end = new AbortController();
@@ -115,13 +115,13 @@ export class Session {
     }
   }
 
-  /** What is open now is what is kept, where it was read from there. */
+  /** Marks the open session as stored, after it was read from storage. */
   adopt({ steps, scene }: SavedHistory): void {
     this.#given = [...steps];
     this.#scene = JSON.stringify(scene);
   }
 
-  /** From now on it is another session, which is kept as a whole with its first step; the one before stays. */
+  /** Begins another session, which is stored whole with its first step; the previous one remains. */
   async begin(): Promise<void> {
     this.#held.abort();
     this.#held = new AbortController();
@@ -142,7 +142,7 @@ export class Session {
     this.#pending.clear();
   }
 
-  /** Keeps what is new of a session, now; a face that nobody has changed is kept only `always`. */
+  /** Stores the changes of a session immediately; an unchanged face is stored only with `always`. */
   keep(saved: SavedHistory, always = false): void {
     clearTimeout(this.#waiting);
     this.#soon = undefined;
@@ -174,19 +174,19 @@ export class Session {
     return { at: Date.now(), pack, here, count: steps.length, scene, title, picture: this.#picture };
   }
 
-  /** Keeps how the face is shown once that rests, where it is another way than it was. */
+  /** Stores the display settings once they rest, if they have changed. */
   keepSoon(latest: () => SavedHistory): void {
     this.#soon = latest;
     clearTimeout(this.#waiting);
     this.#waiting = setTimeout(() => this.#now(), SOON_MS);
   }
 
-  /** Keeps what waits, before another session is opened. */
+  /** Stores pending data before another session is opened. */
   settle(): void {
     this.#now();
   }
 
-  /** The face as a small picture, which goes with what is kept next. */
+  /** Sets the thumbnail of the face, which is stored with the next data. */
   pictured(picture: string, latest: () => SavedHistory): void {
     this.#picture = picture;
     if (this.#given.length > 0) this.keep(latest());
@@ -205,19 +205,19 @@ export class Session {
 
   // --- the list ---
 
-  /** All kept sessions, the latest first, and which of them other editors have. */
+  /** Returns all stored sessions, latest first, and those held by other editors. */
   async list(): Promise<{ readonly listed: readonly Listed[]; readonly taken: ReadonlySet<string> }> {
     const [listed, locks] = await Promise.all([this.#shelf.list(), 'locks' in navigator ? navigator.locks.query() : undefined]);
     const names = new Set(locks?.held?.map(({ name }) => name));
     return { listed, taken: new Set(listed.map(({ id }) => id).filter((id) => id !== this.#id && names.has(lockOf(id)))) };
   }
 
-  /** A kept session, to be opened. */
+  /** Reads a stored session. */
   read(id: string): Promise<SavedHistory | undefined> {
     return this.#shelf.read(id);
   }
 
-  /** Goes on with a kept session; false where another editor has it: then what is kept is a copy. */
+  /** Continues a stored session; returns false if another editor holds it: a copy is then stored. */
   async goOn(id: string, picture: string | undefined): Promise<boolean> {
     const end = new AbortController();
     if (!(await hold(id, end.signal))) {
@@ -236,14 +236,14 @@ export class Session {
 
   // --- life ---
 
-  /** Lets others have the session; what waits is kept. */
+  /** Releases the session and stores pending data. */
   close(): void {
     this.#now();
     this.#open.abort();
     this.#held.abort();
   }
 
-  /** Goes on after `close`, with a copy where another editor has taken the session. */
+  /** Continues after `close`, with a copy if another editor has taken the session. */
   async resume(): Promise<void> {
     this.#open = new AbortController();
     this.#held = new AbortController();
@@ -251,7 +251,7 @@ export class Session {
     if (!(await hold(this.#id, this.#held.signal))) await this.begin();
   }
 
-  /** What waits is kept before the tab goes. */
+  /** Stores pending data before the tab closes. */
   #listen(): void {
     const { signal } = this.#open;
     document.addEventListener('visibilitychange', () => document.hidden && this.#now(), { signal });

@@ -1,4 +1,4 @@
-/** Pictures of the present face from any side and of any size, by a hidden player: the stage is left alone. */
+/** Images of the present face from any side and of any size, rendered by a hidden player; the stage is not affected. */
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { App } from './app.js';
@@ -7,19 +7,19 @@ import { openHidden, wait } from './hidden-player.js';
 import { beforeWall } from './plain.js';
 import { REST_SECS, still, stillIn } from './script.js';
 
-/** How much of somebody is in a picture: how near one looks, and how far below the middle of the head the picture's is, metres. */
+/** Framings of an image: zoom, and offset of the image centre below the middle of the head, metres. */
 export const FRAMES = {
   head: { name: 'Head', zoom: 5.4, lower: 0 },
   shoulders: { name: 'Head and shoulders', zoom: 4.1, lower: 0.045 },
 } as const;
-/** What is least like the curtain, by which the face is told from what is behind it. */
+/** Set that differs most from the curtain, for separating the face from its background. */
 const OTHER_SET = 'garden';
-/** By then another place is shown, milliseconds. */
+/** Maximum time until another set is shown, milliseconds. */
 const SHOWN_MS = 250;
 /** The player draws no more pixels for a CSS pixel. */
 const MAX_DPR = 2;
 
-/** From where a face is looked at, radians; at the height of its eyes where no tilt is given. */
+/** Direction from which a face is seen, radians; at eye height without a tilt. */
 export interface Side {
   readonly turn: number;
   readonly tilt?: number;
@@ -31,7 +31,7 @@ export interface Size {
   readonly height: number;
 }
 
-/** How pictures are taken. */
+/** Options for rendering images. */
 export interface Framing {
   readonly frame: keyof typeof FRAMES;
   /** Before a plain wall, in even light. */
@@ -40,21 +40,21 @@ export interface Framing {
 
 export const HEAD: Framing = { frame: 'head', plain: false };
 
-/** Who waits for pictures: hears how many there are, and may not want them any more. */
+/** Observer of images in progress: receives the count, and may cancel. */
 export interface ShotObserver {
   readonly signal: AbortSignal;
   progress(done: number, of: number): void;
 }
 
-/** Where pictures are taken. */
+/** Renderer of images. */
 export class Studio {
-  /** `place` is where the player goes, unseen. */
+  /** Creates the studio; `place` receives the invisible player. */
   constructor(
     private readonly app: App,
     private readonly place: HTMLElement,
   ) {}
 
-  /** Pictures of the face as it is now, one for each side that it is looked at from. Throws the signal's reason once that is aborted. */
+  /** Renders images of the present face, one for each side. Throws the signal's reason once it is aborted. */
   async *shots(sides: readonly Side[], size: Size, { signal, progress }: ShotObserver, { frame, plain }: Framing = HEAD): AsyncGenerator<HTMLCanvasElement, void> {
     const { face, light, player: like } = this.app;
     const { zoom, lower } = FRAMES[frame];
@@ -101,7 +101,7 @@ export class Studio {
     }
   }
 
-  /** All pictures of some sides. */
+  /** Returns all images of some sides. */
   async all(sides: readonly Side[], size: Size, watch: ShotObserver, framing?: Framing): Promise<HTMLCanvasElement[]> {
     const pictures: HTMLCanvasElement[] = [];
     for await (const picture of this.shots(sides, size, watch, framing)) pictures.push(picture);
@@ -109,14 +109,14 @@ export class Studio {
   }
 }
 
-/** Puts who stands still elsewhere, and waits until that is seen. */
+/** Changes the set of a motionless figure, and waits until it is visible. */
 async function place(player: RaconteurPlayer, script: string): Promise<void> {
   await player.rehearse(script, { motion: 0 });
   player.currentTime = REST_SECS;
   await wait(SHOWN_MS);
 }
 
-/** Gives a player as many pixels as a picture is to have, and waits until it knows. */
+/** Sets the pixel size of a player to that of an image, and waits until it takes effect. */
 export async function enlarge(player: RaconteurPlayer, { width, height }: Size): Promise<void> {
   const dpr = Math.min(MAX_DPR, devicePixelRatio || 1);
   await new Promise<void>((resolve) => {
@@ -131,7 +131,7 @@ export async function enlarge(player: RaconteurPlayer, { width, height }: Size):
   });
 }
 
-/** The middle of a picture in another size: as much of it as has that shape, or a share of that. */
+/** Crops the middle of an image to another size: the largest part of that aspect, or a share of it. */
 export function cropped(from: HTMLCanvasElement, { width, height }: Size, share = 1): HTMLCanvasElement {
   const to = document.createElement('canvas');
   [to.width, to.height] = [width, height];

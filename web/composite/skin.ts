@@ -1,4 +1,4 @@
-/** What of a texture is finer than the colours of vertices, or lies in the eyes: it is read off the values of its attributes. */
+/** Texture properties finer than vertex colours, or in the eyes: derived from the values of its attributes. */
 
 import type { FaceLook } from '../element/base/face-types.js';
 
@@ -9,12 +9,12 @@ type Rgb = readonly [number, number, number];
 const DARK: Rgb = [0.055, 0.03, 0.016];
 const AMBER: Rgb = [0.3, 0.2, 0.085];
 const BLUE: Rgb = [0.17, 0.27, 0.4];
-/** Those of the average face, and by how much a value of 1 differs: lightness and blueness, 0 to 1. */
+/** Lightness and blueness of the average face's irises, 0 to 1, and their change per unit of the value. */
 const LIGHT = [0.42, 0.5] as const;
 const BLUENESS = [0.4, 0.6] as const;
 /** Blue irises are lighter than brown ones. */
 const LIGHTER = 0.32;
-/** Below this value of the beard's shadow skin is as if nothing grew. */
+/** Value of the beard's shadow below which skin counts as shaved. */
 const SHAVED = 0.05;
 
 const clamp = (x: number): number => Math.min(1, Math.max(0, x));
@@ -22,10 +22,10 @@ const mix = (a: Rgb, b: Rgb, share: number): Rgb => [0, 1, 2].map((i) => (a[i] ?
 
 /** From this value of ageing on the sun has left spots; all of them where it is so much more. */
 const SPOTTED = [0.1, 1.1] as const;
-/** Some have none of them, some half a dozen. */
+/** Maximum number of moles; some people have none, some half a dozen. */
 const MAX_MOLES = 6;
 
-/** Spots, stubble and irises of a face with these values of texture; spots lie where they lie on nobody else. */
+/** Returns spots, stubble and irises of a face with these texture values; the positions of spots are unique to the face. */
 export function skinOf(texture: ReadonlyMap<string, number>, seed: number): Pick<FaceLook, 'freckles' | 'stubble' | 'iris' | 'ageSpots' | 'moles' | 'seed'> {
   const of = (name: string): number => texture.get(name) ?? 0;
   const chance = Math.abs(Math.sin(seed * 12.9898) * 43_758.5453) % 1;

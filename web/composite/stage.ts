@@ -1,4 +1,4 @@
-/** The face on stage: it holds still while it is changed, is looked at from all sides, and says a sentence. */
+/** The face on stage: motionless while it is edited, viewed from all sides, or speaking a sentence. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { RaconteurPlayer } from '../element/element.js';
@@ -12,7 +12,7 @@ import { reason, type EditorFeedback } from './editor-feedback.js';
 /** As long as a sentence is. */
 const MAX_LETTERS = 300;
 
-/** The face looks ahead and stands still. */
+/** Makes the face look ahead without motion. */
 export async function rest(player: RaconteurPlayer): Promise<void> {
   player.pause();
   // A face that is compared with a memory does not sway.
@@ -23,7 +23,7 @@ export async function rest(player: RaconteurPlayer): Promise<void> {
 /** One press turns the lamps by so much, radians. */
 const LIGHT_TURN = Math.PI / 6;
 
-/** Sides to look from, how high the eyes of who saw the face were, and where the light was. */
+/** Returns the controls for the viewing side, the eye height of the person who saw the face, and the direction of the light. */
 export function views(app: App): TemplateResult {
   const { view, light } = app;
   const turn = (by: number): void => app.relight({ ...light, turn: light.turn + by });
@@ -41,7 +41,7 @@ export function views(app: App): TemplateResult {
     </div>`;
 }
 
-/** The face speaks. */
+/** Makes the face speak. */
 export function speaking(player: RaconteurPlayer, tell: EditorFeedback): TemplateResult {
   const speak = async (event: Event): Promise<void> => {
     event.preventDefault();

@@ -1,4 +1,4 @@
-/** Where a face comes from: the average, chance, or the faces of the database, whole or for what is chosen. */
+/** Starting points of a face: the average, a random face, or the faces of the database, whole or for the selection. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { choice } from '../pages/fields.js';
@@ -7,9 +7,9 @@ import { PARTS } from './panels.js';
 import { AGES, ANCESTRIES, chosen, describe, figureOf, FIGURES, SEXES, type Person } from './people.js';
 import type { Portraits } from './portraits.js';
 
-/** What of a face is taken over. */
+/** Parts of a face to take over. */
 const TAKEN = { both: 'Shape and colour', ...PARTS } as const;
-/** Faces of the database that are shown at once. */
+/** Number of database faces shown at a time. */
 const SHOWN = 12;
 
 export function start(app: App, portraits: Portraits): TemplateResult {

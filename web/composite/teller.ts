@@ -1,4 +1,4 @@
-/** Who shows the face: the figures of the library, or a file of the user's own; `cast` connects it. */
+/** Choice of the figure that shows the face: the figures of the library, or a user's file; `cast` connects it. */
 
 import { html, type TemplateResult } from 'lit';
 import amara from '../pages/portraits/amara.webp';
@@ -17,7 +17,7 @@ const FIGURES = [
   ['lia', 'Lia', lia],
 ] as const;
 
-/** As `teller.html` and `cast.html` of the pages. The emblem is written here: one that `use` takes from a file of another origin is not drawn. */
+/** Markup like `teller.html` and `cast.html` of the pages. The emblem is inline, since `use` does not render one from another origin. */
 export const teller: TemplateResult = html`<div class="teller" part="teller">
   <h2 id="teller-title">Body, clothes and voice of</h2>
   <div class="cast" role="group" aria-labelledby="teller-title">

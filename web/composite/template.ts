@@ -16,19 +16,19 @@ export const TABS: Readonly<Record<Tab, string>> = {
 };
 const PAD = 'View: drag or press arrow keys to turn the head, plus and minus to zoom; F, T and P for front, three-quarter and profile';
 
-/** What the template is filled with; what needs a face is not there until one is. */
+/** Contents of the template; parts that need a face are absent until there is one. */
 export interface Layout {
   readonly tools?: TemplateResult;
   readonly views?: TemplateResult;
   readonly panel?: TemplateResult;
   readonly speaking?: TemplateResult;
-  /** Something is placed on the skin by the next press. */
+  /** True if the next press places something on the skin. */
   readonly placing: boolean;
-  /** How much of the faces is fetched, while they are. */
+  /** Share of the faces fetched, while fetching. */
   readonly share: number | undefined;
-  /** What went wrong. */
+  /** Error message. */
   readonly trouble: string;
-  /** What screen readers are told. */
+  /** Status text for screen readers. */
   readonly status: string;
 }
 

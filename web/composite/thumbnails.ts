@@ -1,18 +1,18 @@
-/** Small pictures of the steps of the history, taken of the stage when nothing else is to be done. */
+/** Thumbnails of the steps of the history, captured from the stage when idle. */
 
 import type { App } from './app.js';
 import { BoundedMap } from './bounded-map.js';
 import { cropped } from './shots.js';
 
-/** Pictures that are kept; each takes about two thousand bytes. */
+/** Maximum number of stored thumbnails; each takes about two thousand bytes. */
 export const MAX_THUMBNAILS = 300;
 /** In pixels. */
 const SIZE = { width: 72, height: 90 };
-/** Who goes on within this time has not come to rest. */
+/** Time without changes after which the face counts as resting, milliseconds. */
 const REST_MS = 500;
-/** The page is taken to be idle by then. */
+/** Time after which the page is assumed idle, milliseconds. */
 const IDLE_MS = 2000;
-/** From here the head fills the picture's height; from farther away less of the picture is the head. */
+/** Zoom from which the head fills the image height; at less zoom the head fills a smaller part. */
 const NEAR = 7;
 
 export class Thumbnails {
@@ -20,25 +20,25 @@ export class Thumbnails {
   #history: App['history'] | undefined;
   #waiting: ReturnType<typeof setTimeout> | undefined;
 
-  /** `drawn` hears of each new picture. */
+  /** Creates the collection; `drawn` is called for each new thumbnail. */
   constructor(
     private readonly app: Pick<App, 'history' | 'player' | 'resting'> & { readonly view: Pick<App['view'], 'zoom'> },
     private readonly drawn: (picture: string) => void,
   ) {}
 
-  /** The picture of a step, as a data URL; undefined where there is none. */
+  /** Returns the thumbnail of a step, as a data URL; undefined if there is none. */
   of(step: number): string | undefined {
     return this.#history === this.app.history ? this.#pictures.get(step) : undefined;
   }
 
-  /** Keeps the picture of a step of the present history. */
+  /** Stores the thumbnail of a step of the present history. */
   keep(step: number, picture: string): void {
     if (this.#history !== this.app.history) this.#pictures.clear();
     this.#history = this.app.history;
     this.#pictures.set(step, picture);
   }
 
-  /** The stage shows a face: soon its picture is taken, unless another face comes before. */
+  /** Called when the stage shows a face: its thumbnail is captured soon, unless another face follows. */
   shown(): void {
     clearTimeout(this.#waiting);
     this.#waiting = setTimeout(() => whenIdle(() => this.#take()), REST_MS);
@@ -55,7 +55,7 @@ export class Thumbnails {
   }
 }
 
-/** Not every browser tells when it is idle. */
+/** Calls a function when idle; not every browser reports idle time. */
 function whenIdle(work: () => void): void {
   if ('requestIdleCallback' in globalThis) requestIdleCallback(work, { timeout: IDLE_MS });
   else work();

@@ -1,4 +1,4 @@
-/** What is done with the whole face: undo, files, a picture, a new one. */
+/** Toolbar for the whole face: undo, files, an image, a new one. */
 
 import { html, type TemplateResult } from 'lit';
 import { save } from '../pages/workbench.js';

@@ -1,4 +1,4 @@
-/** How much of each attribute the face has that is edited. */
+/** Amounts of each attribute in the edited face. */
 
 import type { FacePart, Faces } from '../element/face/faces.js';
 import type { Act } from './acts.js';
@@ -6,10 +6,10 @@ import type { Act } from './acts.js';
 /** Values of the attributes of a face, by part. */
 export type Values = Readonly<Record<FacePart, ReadonlyMap<string, number>>>;
 
-/** What is less of an attribute tells nothing of what more would change. */
+/** Amount of an attribute below which it gives no estimate of the effect of more. */
 const MIN_AMOUNT = 1e-3;
 
-/** Reads them when they are asked for, and once for each change of their part. */
+/** Reads the values on request, once per change of their part. */
 export class AttributeReading {
   readonly #read = new Map<FacePart, ReadonlyMap<string, number>>();
 
@@ -32,21 +32,21 @@ export class AttributeReading {
     return { shape: this.of('shape'), texture: this.of('texture') };
   }
 
-  /** Takes values that were found in another way than by a look at the face. */
+  /** Sets values computed otherwise than by measuring the face. */
   told(part: FacePart, values: ReadonlyMap<string, number>): ReadonlyMap<string, number> {
     this.#read.set(part, values);
     return values;
   }
 }
 
-/** What adding an attribute does to all values: they are linear in the face, so that one look tells what any amount does. */
+/** Effect of an attribute on all values: they are linear in the face, so one measurement predicts any amount. */
 export class AttributeSlopes {
   #key = '';
   #of: Values | undefined;
 
   constructor(private readonly from: Values) {}
 
-  /** Tells `reading` the values after an act that begins at `from`; nothing where the face must be looked at. */
+  /** Sets in `reading` the values after an action that starts at `from`; does nothing if the face must be measured. */
   tell(reading: AttributeReading, act: Act): void {
     if (act.kind !== 'add') return;
     const { from } = this;

@@ -1,4 +1,4 @@
-/** The words that people have for features, and what a feature is apart from. */
+/** Common words for features, and the features independent of each. */
 
 import type { FacePack } from '../element/face/faces.js';
 import { TABLE } from './find.js';
@@ -7,17 +7,17 @@ type Attribute = FacePack['attributes'][number];
 
 const SHOWN: ReadonlyMap<string, string> = new Map(TABLE.map(({ thing, shown }) => [thing, shown]));
 
-/** What an attribute may be called, too, to be shown below its name; empty where its name says it. */
+/** Returns alternative names of an attribute, shown below its name; empty if the name suffices. */
 export const alsoCalled = ({ name }: Attribute): string => SHOWN.get(`feature ${name}`) ?? '';
 
-/** Impressions of a whole person, which nobody wants to change with a nose. */
+/** Impressions of a whole person, which must not change together with, for example, a nose. */
 const OVERALL: readonly string[] = ['sex', 'weight', 'age'];
-/** Groups of which each feature is a measure of its own. */
+/** Groups in which each feature is an independent measure. */
 const MEASURES: readonly string[] = ['face shape', 'eyes', 'nose', 'mouth', 'ears'];
-/** Names of one thing: they go together. */
+/** Names of the same property, which change together. */
 const YEARS: readonly string[] = ['age', 'ageing', 'growth'];
 
-/** What keeps its value while an attribute is changed alone: sex, weight and age, and the other features of its group. */
+/** Returns the attributes that keep their value while an attribute is changed in isolation: sex, weight and age, and the other features of its group. */
 export function keptWith(attribute: Attribute, all: readonly Attribute[]): Attribute[] {
   const isYears = YEARS.includes(attribute.name);
   return all.filter((other) => {
@@ -26,7 +26,7 @@ export function keptWith(attribute: Attribute, all: readonly Attribute[]): Attri
   });
 }
 
-/** How the age of people is spread: the ends of an attribute are two standard deviations from the mean. */
+/** Returns the age distribution of the database: the ends of an attribute are two standard deviations from the mean. */
 export function yearsOf(people: FacePack['people']): (value: number) => number {
   const ages = people.map((p) => p.ageYears);
   const count = Math.max(1, ages.length);

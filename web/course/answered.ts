@@ -8,9 +8,9 @@ import type { Statement } from './store.js';
 import { plain } from './texts.js';
 
 const INTERACTION = 'http://adlnet.gov/expapi/activities/cmi.interaction';
-/** The standard has no limits; a statement has to be sent while a page goes. */
+/** Limits of a statement. The standard has none; but a statement has to be sent while a page closes. */
 const LIMITS: Limits = { items: Infinity, gaps: Infinity, gapLength: 250, textLength: 4000, patterns: 100 };
-/** What is read of questions and options. */
+/** Maximum length of the texts of questions and options. */
 const MAX_TEXT = 1000;
 
 /** A question's address below that of its course, whose query and fragment stay at the end. */

@@ -1,4 +1,4 @@
-/** A story as a course: follows the player, brings the learner back to where they were, and tells a record of it. */
+/** A story as a course: follows the player, restores the learner's position, and reports to a record. */
 
 import { newSeed } from '../element/lesson/chance.js';
 import type { RaconteurPlayer } from '../element/element.js';
@@ -8,23 +8,23 @@ import { bestOf, NOTHING, type Memory, type Remembered } from './memory.js';
 import type { LearningEvent, KnownLearner, Record, Report } from './report.js';
 import { shareOf } from './seen.js';
 
-/** What the author asks of a learner. */
+/** The author's rules for a learner. */
 export interface Rules {
-  /** The share of the story that has to be seen, 0 to 1. */
+  /** Share of the story that must be seen, 0 to 1. */
   readonly watched: number;
-  /** The share of the points that is enough, 0 to 1; undefined: nobody passes or fails. */
+  /** Share of the points required to pass, 0 to 1; undefined: there is no pass or fail. */
   readonly pass?: number | undefined;
 }
 
-/** What was told is kept no more often than this, but at once where something is complete. */
+/** Minimum interval between saves, milliseconds; completion is saved immediately. */
 const KEEP_MS = 10_000;
-/** Who has come no further when the system answers is brought to where they were; others stay. */
+/** Story time up to which a late response of the system restores the learner's position, seconds; later the learner stays. */
 const BARELY_SECS = 3;
-/** A story that was brought elsewhere has gone on no further when that is told. */
+/** Maximum progress of a story after a jump when the jump is reported, seconds. */
 const SOON_SECS = 1;
 const NEARLY_SECS = 0.05;
 
-/** Who leaves waits no longer for a system. */
+/** Maximum time that leaving waits for a system, milliseconds. */
 const LEAVE_MS = 5000;
 
 const NO_POINTS: Score = { points: 0, most: 0 };
@@ -34,21 +34,21 @@ export class Course {
   readonly #record: Record;
   readonly #rules: Rules;
   readonly #end = new AbortController();
-  /** What is known from sessions before, of this attempt. */
+  /** Data from earlier sessions of this attempt. */
   #memory: Memory = NOTHING;
-  /** What was seen in this session and in those before. */
+  /** Spans seen in this session and in earlier ones. */
   #seen: readonly Span[] = [];
   #isComplete = false;
   #isReview = false;
-  /** The learner has answered, or was somewhere, before the system has told where they were. */
+  /** True if the learner has answered, or moved, before the system reported their position. */
   #isAtWork = false;
   /** The share of the points that is enough. */
   #pass: number | undefined;
-  /** Where the learner was when that was told last. */
+  /** Last reported position of the learner, seconds. */
   #placeSecs = 0;
-  /** Where the learner was when they began to seek. */
+  /** Position of the learner at the start of a seek. */
   #fromSecs: number | undefined;
-  /** To where the course itself has brought the story: nobody has sought. */
+  /** Destinations of jumps made by the course itself, which are not seeks by the learner. */
   readonly #leaps: number[] = [];
   #keptMs = -Infinity;
   #timer: ReturnType<typeof setTimeout> | undefined;
@@ -61,8 +61,8 @@ export class Course {
   }
 
   /**
-   * Begins the session: the story stands where the learner left it, as soon as the system tells that. What is done before is kept.
-   * Rejects with a `RecordError` where nobody keeps what they do; the story plays all the same.
+   * Begins the session: the story is at the learner's last position, as soon as the system reports it. Earlier actions are kept. Rejects with a `RecordError`
+   * if there is no record; the story still plays.
    */
   async begin(): Promise<KnownLearner> {
     this.#listen();
@@ -82,7 +82,7 @@ export class Course {
     return known;
   }
 
-  /** What the learner has done before: nobody who is at work is brought elsewhere. */
+  /** Restores the learner's earlier state; a learner who is already active is not moved. */
   #return(memory: Memory): void {
     const { placeSecs, answered, more } = memory;
     const session = memory.session + 1;
@@ -119,7 +119,7 @@ export class Course {
     addEventListener('storage', ({ key, newValue }) => this.#hear(this.#record.others?.(key, newValue)), { signal });
   }
 
-  /** What the learner does in another page of the course counts here, too. */
+  /** Merges the learner's actions from another page of the course. */
   #hear(memory: Memory | undefined): void {
     if (memory === undefined || this.#player.readyState === 0 || this.#isReview) return;
     const isLater = memory.attempt > this.#memory.attempt;
@@ -130,7 +130,7 @@ export class Course {
     this.#tell();
   }
 
-  /** Tells the system all that it can be told now, and ends the session; resolves when that is done, or has taken too long. */
+  /** Reports the final state to the system and ends the session; resolves when done, or after a time limit. */
   async leave(): Promise<void> {
     const isLate = () => new Promise<void>((done) => setTimeout(done, LEAVE_MS));
     this.#tell();
@@ -149,7 +149,7 @@ export class Course {
     this.#record.close();
   }
 
-  /** Begins the story anew: what was answered before does not count any more, but the points of the best attempt do. */
+  /** Restarts the story: earlier answers no longer count, but the points of the best attempt do. */
   again(): void {
     const { score } = this.#player;
     const { attempt, session, best } = this.#memory;
@@ -161,13 +161,13 @@ export class Course {
     void this.#player.play().catch(() => undefined);
   }
 
-  /** Points of this attempt and of the best one, and whether those are enough; undefined where there is no such rule. */
+  /** Points of this attempt and of the best one, and true if they suffice; undefined without such a rule. */
   get outcome(): { readonly score: Score; readonly best: Score; readonly isPassed: boolean | undefined } {
     const { score } = this.#player;
     return { score, best: bestOf(this.#memory.best, score) ?? score, isPassed: this.#verdict() };
   }
 
-  /** Nothing is left to answer in this attempt. */
+  /** True if no question is left to answer in this attempt. */
   get isSettled(): boolean {
     return this.#player.readyState > 0 && this.#player.questions.length > 0 && this.#isSettled();
   }
@@ -206,14 +206,14 @@ export class Course {
     };
   }
 
-  /** Nothing is left to answer. Not all ways come to all questions: who is at the end has come by all of theirs. */
+  /** Returns true if no question is left to answer. Not all paths lead to all questions: at the end all reachable ones have been passed. */
   #isSettled(): boolean {
     const { ended, questions } = this.#player;
     const answered = this.#player.state().answered as readonly Answered[];
     return ended || questions.every(({ name }) => answered.some((it) => it.name === name && it.isFinal));
   }
 
-  /** Whether the points are enough; nobody has failed while there is something to answer. */
+  /** Returns true if the points suffice; undefined while questions are open and the points do not suffice. */
   #verdict(): boolean | undefined {
     const { points, most } = bestOf(this.#memory.best, this.#player.score) ?? NO_POINTS;
     if (this.#pass === undefined || most === 0) return undefined;
@@ -231,7 +231,7 @@ export class Course {
     this.#keep();
   }
 
-  /** The story stands elsewhere: by what the learner has done, unless it was brought there by its own ways. */
+  /** Handles a changed position: a seek by the learner, or a jump by the story itself. */
   #sought(): void {
     const { currentTime } = this.#player;
     const fromSecs = this.#fromSecs ?? this.#placeSecs;

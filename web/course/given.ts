@@ -10,7 +10,7 @@ const PAIRS = '; ';
 
 const texts = (options: readonly QuestionOption[], between: string): string => options.map(readOf).join(between);
 
-/** What was given, by the texts of options; empty where nothing was. */
+/** Returns an answer as the texts of its options; empty if there is none. */
 export function givenText({ kind, options }: Question, given: readonly string[]): string {
   const named = (name: string | undefined) => options.find((option) => option.name === name);
   switch (kind) {

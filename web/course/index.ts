@@ -1,4 +1,4 @@
-/** What the page of a course imports: the player, and what tells a learning management system of the learner. */
+/** Entry module of a course page: the player, and the reporting to a learning management system. */
 
 import { register } from '../element/register.js';
 import { Course } from './course.js';
@@ -17,7 +17,7 @@ const RECORDS: { readonly [name: string]: (about: About) => Record } = {
   html: ({ activityId }) => new BrowserRecord(activityId, storage()),
 };
 
-/** The browser's, where a page may keep something. */
+/** Returns the browser's storage, if the page may use it. */
 function storage(): Storage | undefined {
   try {
     return localStorage;
@@ -26,7 +26,7 @@ function storage(): Storage | undefined {
   }
 }
 
-/** A share that the page tells, 0 to 1. */
+/** Parses a share from the page's settings, 0 to 1. */
 function share(text: string | undefined): number | undefined {
   const number = Number(text);
   return text && number >= 0 && number <= 1 ? number : undefined;

@@ -9,10 +9,10 @@ import { BETWEEN, decimal, plain } from './texts.js';
 /** Elements and their values, in the order in which they have to be set. */
 export type Elements = readonly (readonly [element: string, value: string])[];
 
-/** Options, and what they are matched with, are single characters in 1.2. */
+/** Single characters for options and their matches, as SCORM 1.2 requires. */
 const SOURCES = 'abcdefghijklmnopqrstuvwxyz0123456789';
 const TARGETS = '1234567890abcdefghijklmnopqrstuvwxyz';
-/** What every system of 1.2 takes of a text, and of a weight. */
+/** Maximum length of a text and of a weight that every SCORM 1.2 system accepts. */
 const MAX_FEEDBACK = 255;
 const MAX_WEIGHT = 100;
 const LIMITS_12: Limits = { items: SOURCES.length, gaps: Infinity, gapLength: MAX_FEEDBACK, textLength: MAX_FEEDBACK, patterns: 10 };
@@ -20,7 +20,7 @@ const LIMITS_2004: Limits = { items: 36, gaps: 10, gapLength: 250, textLength: 4
 
 const two = (n: number): string => String(n).padStart(2, '0');
 
-/** A question's name as an identifier: what may not stand there is written by its number. */
+/** Returns a question's name as an identifier: invalid characters are written by their code. */
 function idOf({ name }: Question): string {
   const id = name.replaceAll(/[^\w.-]/gu, (character) => (character === ' ' ? '-' : `-${character.codePointAt(0)?.toString(16) ?? ''}`));
   return id.slice(0, 250) || 'question';
@@ -30,14 +30,14 @@ function idOf({ name }: Question): string {
 const known = (elements: readonly (readonly [string, string | undefined])[]): Elements =>
   elements.filter((element): element is readonly [string, string] => element[1] !== undefined);
 
-/** More options than 1.2 has characters for are told by their names. */
+/** Returns true if names are written out: SCORM 1.2 has no characters for so many options. */
 const isSpelled = ({ kind, options }: Question): boolean => kind === 'gap' || kind === 'text' || (kind !== 'number' && options.length > SOURCES.length);
 
 function type12(question: Question): string {
   return isSpelled(question) ? 'fill-in' : TYPES[question.kind];
 }
 
-/** Names that were given, by characters. */
+/** Returns the given names as characters. */
 function characters(question: Question, given: readonly string[]): string {
   const parts =
     question.kind === 'match'
@@ -85,7 +85,9 @@ function patterns12(question: Question): string[] {
   }
 }
 
-/** What both versions say of an answer; `wrong` is their word for one that is. What is not graded is neutral, and what is right in part has its points. */
+/**
+ * Returns the result of an answer in both versions; `wrong` is their word for a wrong one. Ungraded answers are neutral, partly right ones have their points.
+ */
 function resultOf({ isRight, points }: Answered, wrong: 'wrong' | 'incorrect'): string {
   if (isRight === undefined) return 'neutral';
   if (isRight) return 'correct';
@@ -110,7 +112,7 @@ export function interaction12(n: number, reply: Reply): Elements {
   ]);
 }
 
-/** Of a lone text systems take commas for delimiters, too: ten parts are too many, and a `{` begins a part as it begins a text. */
+/** Pattern of texts that systems split at commas even without delimiters: ten parts are too many, and a `{` begins a part as well as a text. */
 const BROKEN_BY_COMMAS = /(,[^,]*){10}|,\{/;
 const response2004 = (reply: Reply): string | undefined => {
   const text = responseOf(reply, LIMITS_2004);
@@ -118,7 +120,7 @@ const response2004 = (reply: Reply): string | undefined => {
   return BROKEN_BY_COMMAS.test(text) ? text.replaceAll(',', ';') : text;
 };
 
-/** Whether systems take a pattern: some refuse parts that are the same, spaces around them, and commas in a lone text. */
+/** Returns true if systems accept a pattern: some reject equal parts, surrounding spaces, and commas in a single text. */
 function isTaken(pattern: string): boolean {
   const parts = pattern.split(BETWEEN);
   return new Set(parts).size === parts.length && parts.every((part) => part.trim() === part) && (parts.length > 1 || !pattern.includes(','));

@@ -1,4 +1,4 @@
-/** Keeps the state of a course in a record store: what was told last, until the store has it. */
+/** Stores the state of a course in a record store: the latest state, until the store has confirmed it. */
 
 import { RetryTimer } from './retry-timer.js';
 import type { Outcome } from './store.js';
@@ -7,7 +7,7 @@ export class StateKeeper {
   readonly #put: (text: string) => Promise<Outcome>;
   readonly #told: (outcome: Outcome) => void;
   readonly #again = new RetryTimer(() => void this.#send());
-  /** What the store has, and what it is to have. */
+  /** State in the store, and the state to store. */
   #kept: string;
   #wanted: string;
   #isSending = false;
@@ -19,7 +19,7 @@ export class StateKeeper {
     this.#told = told;
   }
 
-  /** The store has what was told last. */
+  /** True if the store has the latest state. */
   get isKept(): boolean {
     return this.#kept === this.#wanted;
   }
@@ -29,7 +29,7 @@ export class StateKeeper {
     void this.#send();
   }
 
-  /** The page goes: what was not sent goes beside what is on its way. */
+  /** Called when the page closes: sends unsent state in parallel with pending requests. */
   close(): void {
     this.#isClosed = true;
     this.#again.close();

@@ -1,35 +1,35 @@
-/** How a course with a record store is launched: by a link, as Tin Can packages are, or by a cmi5 system (cmi5, 8 and 10). */
+/** Launch of a course with a record store: by a link, like Tin Can packages, or by a cmi5 system (cmi5, 8 and 10). */
 
 import { until } from './retry-timer.js';
 import { RecordError } from './report.js';
 import { RecordStore, type Access, type Outcome, type Owner } from './store.js';
 import type { StorageProblem } from './storage-problems.js';
 
-/** What the address of the page says. */
+/** Data from the page's address. */
 export interface Link {
   readonly endpoint: string;
-  /** Where a cmi5 system gives the token, once; undefined without cmi5. */
+  /** Address from which a cmi5 system returns the token, once; undefined without cmi5. */
   readonly fetch: string | undefined;
   readonly auth: string;
   readonly actor: unknown;
   readonly owner: Owner;
 }
 
-/** What a cmi5 system says of the launch (10.2); without cmi5 there is nothing to say. */
+/** Launch data of a cmi5 system (10.2); empty without cmi5. */
 export interface Launch {
   readonly access: Access;
-  /** What all statements are to have in their contexts. */
+  /** Template for the contexts of all statements. */
   readonly template: object;
-  /** Somebody only looks at it: nothing is said of what they have done. */
+  /** True if the course is only reviewed: no actions are reported. */
   readonly isReview: boolean;
   /** The share of the points that the system wants, 0 to 1. */
   readonly masteryScore: number | undefined;
   readonly returnAddress: string | undefined;
-  /** What a learner wants of every course (11). */
+  /** True if the preferences of the learner turn audio off in every course (11). */
   readonly isMuted: boolean;
 }
 
-/** Reads the address of the page. Throws a `RecordError` where it says nothing of a store: it was not launched. */
+/** Reads the page's address. Throws a `RecordError` if it names no store: the course was not launched. */
 export function linkOf(address: string, courseId: string): Link {
   const asked = new URL(address).searchParams;
   const [endpoint, actor, fetch] = ['endpoint', 'actor', 'fetch'].map((name) => asked.get(name));
@@ -65,7 +65,7 @@ interface Waiting {
   readonly isClosed: () => boolean;
 }
 
-/** Asks the store for a text until it answers; undefined where the page went before. */
+/** Requests a text from the store until it answers; returns undefined if the page closed before. */
 export function textOf(ask: () => Promise<{ readonly outcome: Outcome; readonly text: string }>, { trouble, isClosed }: Waiting): Promise<string | undefined> {
   return until(async () => {
     const { outcome, text } = await ask();
@@ -74,7 +74,7 @@ export function textOf(ask: () => Promise<{ readonly outcome: Outcome; readonly 
   }, isClosed);
 }
 
-/** The token of a session: the system gives it once (8.2), so that only who had no answer asks again. */
+/** Requests the token of a session: the system returns it once (8.2), so only failed requests are repeated. */
 function tokenOf(address: string, { trouble, isClosed }: Waiting): Promise<string | undefined> {
   return until(async () => {
     const response = await fetch(address, { method: 'POST' }).catch(() => undefined);
@@ -96,7 +96,7 @@ function addressIn(value: unknown): string | undefined {
   return ['https:', 'http:'].includes(new URL(value).protocol) ? value : undefined;
 }
 
-/** What the system says of the launch; undefined where the page went before it has answered. */
+/** Returns the launch data of the system; undefined if the page closed before it answered. */
 export async function launchOf(link: Link, waiting: Waiting): Promise<Launch | undefined> {
   const plain = { template: {}, isReview: false, masteryScore: undefined, returnAddress: undefined, isMuted: false };
   if (link.fetch === undefined) return { ...plain, access: { endpoint: link.endpoint, authorization: link.auth } };

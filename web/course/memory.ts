@@ -1,10 +1,10 @@
-/** What brings a learner back to where they were, as a text that a system keeps: read, written, and put together from two. */
+/** Memory of a course, which restores the learner's state, as a text stored by a system: reading, writing, and merging. */
 
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import type { Score } from '../element/base/answers.js';
 import { lengthOf, united, type Span } from '../element/base/ranges.js';
 
-/** What is read of a memory is bounded: it comes from outside. */
+/** Limits for reading a memory, which is external input. */
 const MAX_SPANS = 200;
 const MAX_ANSWERS = 10_000;
 const MAX_TEXT = 1_000_000;
@@ -13,13 +13,13 @@ const VERSION = 2;
 const FIRST_VERSION = 1;
 /** Times are written so finely. */
 const STEPS_A_SEC = 100;
-/** What begins a text that is compressed (RFC 1951, base 64). */
+/** Prefix of a compressed text (RFC 1951, base 64). */
 const PACKED = 'z:';
 
 /** An answer as `Answered` of the player has it, or of another shape: only the player judges it. */
 export interface Remembered {
   readonly name: string;
-  /** What was answered; an answer without it was judged before, and its text left out. */
+  /** Given answer; an answer without it was graded before, and its text left out. */
   readonly given?: readonly string[];
   readonly tries?: number;
   readonly isFinal?: boolean;
@@ -32,9 +32,9 @@ export interface Memory {
   readonly placeSecs: number;
   readonly seen: readonly Span[];
   readonly answered: readonly Remembered[];
-  /** What else the player's `state` had; only the player reads it. */
+  /** Other members of the player's `state`; only the player reads them. */
   readonly more: object;
-  /** Which attempt at the course it is, from 1. */
+  /** Number of the attempt at the course, from 1. */
   readonly attempt: number;
   /** In which session it was written: later ones count on from those that they know. */
   readonly session: number;
@@ -44,7 +44,7 @@ export interface Memory {
 
 export const NOTHING: Memory = { placeSecs: 0, seen: [], answered: [], more: {}, attempt: 1, session: 0 };
 
-/** What a number of steps may miss by as it is computed. */
+/** Tolerance of a computed number of steps. */
 const NEARLY = 1e-6;
 const down = (secs: number): number => Math.floor(secs * STEPS_A_SEC + NEARLY) / STEPS_A_SEC;
 const up = (secs: number): number => Math.ceil(secs * STEPS_A_SEC - NEARLY) / STEPS_A_SEC;
@@ -54,13 +54,13 @@ const isCount = (value: unknown): value is number => Number.isSafeInteger(value)
 
 // --- writing ---
 
-/** The longest spans, as many as may be: no more is claimed than was seen. */
+/** Returns the longest spans up to a maximum number: never more than was seen. */
 function longest(seen: readonly Span[], most: number): Span[] {
   const whole = seen.map(([from, to]): Span => [up(from), down(to)]).filter(([from, to]) => to > from);
   return united(whole.sort((a, b) => lengthOf([b]) - lengthOf([a])).slice(0, most));
 }
 
-/** An answer without what goes without saying: what it fits is found out anew from what was given. */
+/** Returns an answer without derivable data: its matches are recomputed from the given answer. */
 function brief({ name, given, tries, isFinal, isRight, fits = [], points = 0 }: Remembered): object {
   return {
     name,
@@ -77,7 +77,7 @@ const written = ({ placeSecs, seen, answered, more, attempt, session, best }: Me
   return JSON.stringify({ ...told, ...(best === undefined ? {} : { best }), ...(Object.keys(more).length > 0 ? { more } : {}) });
 };
 
-/** As a text of base 64, which every system keeps as it is. */
+/** Returns a text as base 64, which every system stores unchanged. */
 function packed(text: string): string {
   const bytes = deflateSync(strToU8(text), { level: 9 });
   return PACKED + btoa(strFromU8(bytes, true));
@@ -89,7 +89,7 @@ function shortest(memory: Memory, most: number): string {
   return text.length <= most ? text : packed(text);
 }
 
-/** Leaves out what an answer said: what it was worth stays. */
+/** Removes the text of an answer, keeping its points. */
 const worth = ({ given: _, ...answer }: Remembered): Remembered => answer;
 
 /** The longest answers, as many as have to be, without their texts. */
@@ -100,14 +100,14 @@ function withoutTexts(memory: Memory, count: number): Memory {
   return { ...memory, answered: memory.answered.map((answer, i) => (isCut.has(i) ? worth(answer) : answer)) };
 }
 
-/** Without answers, as many as have to be: those that brought the least first. */
+/** Removes a number of answers, those with the fewest points first. */
 function withoutAnswers(memory: Memory, count: number): Memory {
   const order = memory.answered.map((_, i) => i).sort((a, b) => (memory.answered[a]?.points ?? 0) - (memory.answered[b]?.points ?? 0));
   const isLeft = new Set(order.slice(count));
   return { ...memory, answered: memory.answered.filter((_, i) => isLeft.has(i)) };
 }
 
-/** The first of a memory's forms, each shorter than the one before, that is short enough; undefined where none is. */
+/** Returns the first of a memory's forms, each shorter than the one before, that is short enough; undefined if none is. */
 function firstFitting(form: (step: number) => Memory, steps: number, most: number): string | undefined {
   let [low, high] = [0, steps + 1];
   while (low < high) {
@@ -119,9 +119,8 @@ function firstFitting(form: (step: number) => Memory, steps: number, most: numbe
 }
 
 /**
- * As a text of at most so many characters. Where it would be longer it is compressed; then the longest answers lose their texts, which
- * a learner who comes back reads no more, but not what they were worth; then the shortest spans are left out. Answers themselves are
- * left out last, where there are more of them than the text has room for.
+ * Writes a memory as a text of a maximum length. A longer one is compressed; then the longest answers lose their texts, which a returning learner no longer
+ * sees, but keep their points; then the shortest spans are left out. Whole answers are left out last, if there are too many.
  */
 export function writeMemory(memory: Memory, most = Infinity): string {
   const whole: Memory = { ...memory, seen: longest(memory.seen, MAX_SPANS) };
@@ -185,7 +184,7 @@ function scoreIn(told: unknown): Score | undefined {
   return typeof points === 'number' && typeof most === 'number' && points >= 0 && points <= most ? { points, most } : undefined;
 }
 
-/** What `writeMemory` wrote; nothing where it was not that. */
+/** Reads a memory written by `writeMemory`; empty for other text. */
 export function readMemory(text: string): Memory {
   const told = parsed(text);
   if (!isObject(told)) return NOTHING;
@@ -205,7 +204,7 @@ export function readMemory(text: string): Memory {
 
 // --- two of them ---
 
-/** What of an answer counts more: points, then that it is final, then its tries, then that its text is there. */
+/** Returns the better of two answers: by points, then by being final, then by tries, then by having its text. */
 function better(a: Remembered, b: Remembered): Remembered {
   const rank = ({ points = 0, isRight, isFinal, tries = 0, given }: Remembered) => [points, isRight ? 1 : 0, isFinal ? 1 : 0, tries, given === undefined ? 0 : 1];
   const [first, second] = [rank(a), rank(b)];
@@ -219,9 +218,8 @@ export const bestOf = (a: Score | undefined, b: Score | undefined): Score | unde
 };
 
 /**
- * What is known from two memories of one learner. All that was seen stays seen. A later attempt takes the
- * place of an earlier one; in the same, the better of two answers to a question stays, and the place is that of the later session, or
- * of `ours`.
+ * Merges two memories of one learner. All seen spans are kept. A later attempt replaces an earlier one; in the same attempt the better of two answers to a
+ * question is kept, and the position is that of the later session, or of `ours`.
  */
 export function joined(ours: Memory, theirs: Memory): Memory {
   const best = bestOf(ours.best, theirs.best);

@@ -1,16 +1,16 @@
-/** Sends statements to a store, in order and in batches, and loses none: what the store has not taken is kept, and tried again. */
+/** Reliable sender of statements to a store, in order and in batches: statements that the store has not accepted are stored, and sent again. */
 
 import { RetryTimer } from './retry-timer.js';
 import { Slot, type Shelf } from './shelf.js';
 import { bytesOf, MAX_KEPT_BYTES, type Outcome, type Statement } from './store.js';
 import type { StorageProblem } from './storage-problems.js';
 
-/** What is said within this time is sent together. */
+/** Time within which statements are collected into a batch, milliseconds. */
 const TOGETHER_MS = 1000;
 const MAX_TOGETHER = 50;
 
 interface Listener {
-  /** Sends a batch, all or none of it. */
+  /** Sends a batch atomically. */
   send(batch: readonly Statement[]): Promise<Outcome>;
   trouble(what: string, trouble: StorageProblem | undefined): void;
 }
@@ -19,33 +19,33 @@ export class Outbox {
   readonly #slot: Slot;
   readonly #listener: Listener;
   readonly #again = new RetryTimer(() => void this.flush());
-  /** In order; those that were refused are behind all others, and wait for the next session. */
+  /** Pending statements in order; rejected ones are last, and wait for the next session. */
   #waiting: readonly Statement[];
   readonly #refused = new Set<Statement>();
   /** The ids of those that the store has: another page may have them on the shelf still. */
   readonly #gone = new Set<string>();
   #running: Promise<void> | undefined;
-  /** How many of the first are on their way. */
+  /** Number of leading statements in the current request. */
   #sending = 0;
-  /** A batch was refused: its statements go one by one, so that those that are right come through. */
+  /** Number of statements to send individually after a rejected batch, so valid ones are accepted. */
   #single = 0;
   #isOpen = false;
   #isClosed = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** `name`: under which unsent statements are kept for the next session, on the `shelf`. */
+  /** Creates the outbox; unsent statements are stored under `name` on the `shelf` for the next session. */
   constructor(name: string, shelf: Shelf | undefined, listener: Listener) {
     this.#slot = new Slot(shelf, name);
     this.#listener = listener;
     this.#waiting = statementsIn(this.#slot.get());
   }
 
-  /** What the store has not taken yet, in order. */
+  /** Statements not yet accepted by the store, in order. */
   get waiting(): readonly Statement[] {
     return this.#waiting;
   }
 
-  /** The session has begun: what waits is put into an order of the caller's, and sent. */
+  /** Starts the session: arranges the pending statements by the caller's order, and sends them. */
   open(arrange: (waiting: readonly Statement[]) => readonly Statement[]): void {
     this.#waiting = arrange(this.#waiting);
     this.#keep();
@@ -61,7 +61,7 @@ export class Outbox {
     if (this.#sending === 0) this.#timer ??= setTimeout(() => void this.flush(), TOGETHER_MS);
   }
 
-  /** Sends what waits, batch after batch; settles when all was taken or the store is away. */
+  /** Sends pending statements, batch after batch; settles when all are accepted or the store is unavailable. */
   flush(): Promise<void> {
     clearTimeout(this.#timer);
     this.#timer = undefined;
@@ -77,7 +77,7 @@ export class Outbox {
     }
   }
 
-  /** The page goes: what waits is sent once more, and then in the next session. */
+  /** Called when the page closes: pending statements are sent once more, and then in the next session. */
   close(): void {
     this.#isClosed = true;
     this.#again.close();
@@ -90,13 +90,13 @@ export class Outbox {
     this.#running = Promise.all([before, last]).then(() => undefined);
   }
 
-  /** What has become of what was sent as the page goes, for a page that stays after all. */
+  /** Handles the response to the final request, in case the page stays open. */
   #tookLast(batch: readonly Statement[], outcome: Outcome): void {
     if (outcome === 'taken') this.#drop(batch);
     this.#listener.trouble('statements', outcome === 'taken' ? undefined : outcome);
   }
 
-  /** Settles when nothing is on its way. */
+  /** Settles when no request is pending. */
   async settle(): Promise<void> {
     await this.#running;
   }
@@ -113,7 +113,7 @@ export class Outbox {
     return outcome;
   }
 
-  /** What has become of a batch; whether more may be sent. */
+  /** Handles the response to a batch; returns true if more may be sent. */
   #took(batch: readonly Statement[], outcome: Outcome): boolean {
     const [first] = batch;
     if (first === undefined) return false;
@@ -151,7 +151,7 @@ export class Outbox {
     this.#keep();
   }
 
-  /** Keeps what waits, with what other pages of the course have on the shelf. */
+  /** Stores the pending statements, merged with those of other pages of the course on the shelf. */
   #keep(): void {
     const own = new Set(this.#waiting.map(({ id }) => id));
     const others = statementsIn(this.#slot.get()).filter(({ id }) => !own.has(id) && !this.#gone.has(id));

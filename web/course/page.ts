@@ -1,4 +1,4 @@
-/** The page around the story of a course: its chapters, the way out, what is saved, and the result. */
+/** Page around the story of a course: chapters, exit, saved state, and result. */
 
 import { html, nothing, render } from 'lit';
 import type { RaconteurPlayer } from '../element/element.js';
@@ -16,7 +16,7 @@ interface Places {
   readonly result: HTMLElement;
 }
 
-/** So long it is said that what could not be saved is saved now. */
+/** Time for which the recovery from a failed save is shown, milliseconds. */
 const SAVED_MS = 4000;
 
 export class CoursePage {
@@ -24,14 +24,14 @@ export class CoursePage {
   readonly #course: Course;
   readonly #places: Places;
   readonly #words = wordsOf(document.documentElement.lang);
-  /** The way out; none on a plain site, where a page is left by the browser. */
+  /** True if there is an exit; false on a plain site, where the browser leaves the page. */
   readonly #hasExit: boolean;
   readonly #troubles: Troubles;
   #returnAddress: string | undefined;
-  /** The learner is on their way out, has been told that not all is saved, or is out. */
+  /** State of leaving: staying, leaving, warned about unsaved data, or left. */
   #exit: 'here' | 'leaving' | 'warned' | 'left' = 'here';
   #savedTimer: ReturnType<typeof setTimeout> | undefined;
-  /** Nobody keeps anything: a sentence that stays. */
+  /** Permanent message if there is no record. */
   #failure = '';
 
   constructor(player: RaconteurPlayer, course: Course, record: Record, places: Places, hasExit: boolean) {
@@ -72,7 +72,7 @@ export class CoursePage {
     this.#savedTimer = setTimeout(() => (status.value = ''), SAVED_MS);
   }
 
-  /** What a trouble means, and what is to be done. */
+  /** Returns the meaning of a problem, with a remedy. */
   #sentence(trouble: Trouble): string {
     const { troubles, unsaved } = this.#words;
     const told = this.#troubles.isKept ? troubles[trouble] : troubles.unkept;
@@ -107,7 +107,7 @@ export class CoursePage {
     void this.#player.play().catch(() => undefined);
   }
 
-  /** Ends the session, and goes where the system wants the learner to be; what is not saved then is said first. */
+  /** Ends the session, and goes to the system's return address; warns first about unsaved data. */
   async #leave(): Promise<void> {
     const { status } = this.#places;
     const isWarned = this.#exit === 'warned';

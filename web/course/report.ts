@@ -1,4 +1,4 @@
-/** What a course tells of a learner, whoever keeps it. */
+/** Report of a course about a learner, independent of the record. */
 
 import type { Answered, Score } from '../element/base/answers.js';
 import type { Span } from '../element/base/ranges.js';
@@ -6,31 +6,31 @@ import type { Question } from '../element/base/questions.js';
 import type { Memory } from './memory.js';
 import type { StorageProblems } from './storage-problems.js';
 
-/** Where a learner is and how far they have come. */
+/** Position and progress of a learner. */
 export interface Report {
   /** Story time, seconds. */
   readonly placeSecs: number;
   readonly durationSecs: number;
-  /** How much of the story was seen, 0 to 1. */
+  /** Share of the story seen, 0 to 1. */
   readonly progress: number;
-  /** What of it, in order and apart. */
+  /** Seen spans, sorted and disjoint. */
   readonly seen: readonly Span[];
   /** The author's rule of completion is met. It stays so. */
   readonly isComplete: boolean;
-  /** Points of the story's questions, of the best attempt; undefined where it asks nothing. */
+  /** Points in the story's questions, of the best attempt; undefined without questions. */
   readonly score: Score | undefined;
-  /** Nothing is left to answer, in this attempt. */
+  /** True if no question is left to answer, in this attempt. */
   readonly isSettled: boolean;
-  /** Enough points for the rule of the system, else the author's; undefined while that is open, or where there is no such rule. */
+  /** True if the points satisfy the rule of the system, else the author's; undefined while undecided, or without such a rule. */
   readonly isPassed: boolean | undefined;
-  /** What brings the learner back to where they were; only the course itself reads it. */
+  /** Data that restore the learner's state; only the course itself reads them. */
   readonly memory: Memory;
 }
 
-/** What a learner has just done. */
+/** A recent action of the learner. */
 export interface LearningEvent {
   readonly kind: 'played' | 'paused' | 'seeked';
-  /** Where the story was before a seek, seconds. */
+  /** Position of the story before a seek, seconds. */
   readonly fromSecs?: number;
 }
 
@@ -38,52 +38,55 @@ export interface LearningEvent {
 export interface Reply {
   readonly question: Question;
   readonly answered: Answered;
-  /** When it was given, and how long after it was asked. */
+  /** Time of the answer, and the delay since the question. */
   readonly atMs: number;
   readonly latencyMs: number;
 }
 
-/** What a system knew of the learner when the course began. */
+/** Data of the learner in the system at the start of the course. */
 export interface KnownLearner {
   /** That of the last report. */
   readonly memory: Memory;
   readonly isComplete: boolean;
-  /** The share of the points that the system wants, 0 to 1, whatever the author wants. */
+  /** Share of the points that the system requires, 0 to 1, overriding the author's. */
   readonly pass?: number | undefined;
   /** The learner wants no sound. */
   readonly isMuted?: boolean;
-  /** Somebody only looks at what a learner did: nothing is told. */
+  /** True if the course is only reviewed: nothing is reported. */
   readonly isReview?: boolean;
-  /** Where the learner goes who leaves the course. */
+  /** Destination for a learner who leaves the course. */
   readonly returnAddress?: string | undefined;
 }
 
-/** Where reports go: a learning management system, a record store, or the browser itself. All but `open` may be called before the session is open. */
+/**
+ * Destination of reports: a learning management system, a record store, or the browser itself. All methods except `open` may be called before the session is
+ * open.
+ */
 export interface Record {
-  /** What keeps it from being kept. */
+  /** Problems that prevent saving. */
   readonly troubles: StorageProblems;
-  /** Begins a session: as soon as the system answers. Rejects with a `RecordError` where there is none to be had. */
+  /** Begins a session as soon as the system answers. Rejects with a `RecordError` if there is no system. */
   open(): Promise<KnownLearner>;
-  /** Takes the last state; cheap, and as often as there is something new. */
+  /** Takes the latest state; cheap, and called on every change. */
   tell(report: Report): void;
-  /** Takes what the learner has just done, after `tell`; for those who keep that. */
+  /** Takes a recent action of the learner, after `tell`; for records of actions. */
   note?(what: LearningEvent): void;
   /** Takes an answer, before the `tell` that counts it. */
   reply?(reply: Reply): void;
-  /** Has what was told kept for good, as far as that can be said now. */
+  /** Requests permanent storage of the reported state, as far as possible. */
   keep(): void;
-  /** What another page of the course in this browser keeps, by the browser's event of it (`storage`). */
+  /** Returns the memory saved by another page of the course in this browser, from the browser's `storage` event. */
   others?(key: string | null, text: string | null): Memory | undefined;
-  /** Settles when nothing is on its way to the system, before `close` or after it. */
+  /** Settles when no request to the system is pending, before or after `close`. */
   settle?(): Promise<void>;
-  /** Ends the session with what was told; the learner comes back to it. Safe to call in `pagehide`. */
+  /** Ends the session with the reported state; the learner returns to it. Safe to call in `pagehide`. */
   close(): void;
 }
 
-/** Why nobody keeps what a learner does. */
+/** Reason for a missing record. */
 export type MissingRecord = 'no-store' | 'no-learner' | 'no-launch' | 'not-let-in' | 'no-system';
 
-/** There is nobody who keeps what the learner does. */
+/** Error for a missing record. */
 export class RecordError extends Error {
   override readonly name = 'RecordError';
   readonly why: MissingRecord;

@@ -18,7 +18,7 @@ export const TYPES: { readonly [kind in QuestionKind]: InteractionType } = {
   text: 'long-fill-in',
 };
 
-/** How much of an answer a standard takes. */
+/** Limits of a standard for answers. */
 export interface Limits {
   /** Options, pairs or steps. */
   readonly items: number;
@@ -26,7 +26,7 @@ export interface Limits {
   readonly gaps: number;
   readonly gapLength: number;
   readonly textLength: number;
-  /** Ways to be right. */
+  /** Number of patterns of a right answer. */
   readonly patterns: number;
 }
 
@@ -34,21 +34,21 @@ export interface Limits {
 const PAIR = '[.]';
 const RANGE = '[:]';
 
-/** An option by its name, or by its place where the name is no identifier, or looks like such a place. */
+/** Returns the identifier of an option: its name, or its index if the name is not an identifier, or looks like such an index. */
 export function identifierOf(name: string, index: number): string {
   return /^[\w.-]{1,250}$/.test(name) && /\w/.test(name) && !/^option-\d+$/.test(name) ? name : `option-${index + 1}`;
 }
 
-/** The places of options that were chosen, each once: in the order in which they were put (`order`), else as they stand. */
+/** Returns the indices of the chosen options, each once: in the given order for `order`, else ascending. */
 export function placesOf({ kind, options }: Question, given: readonly string[]): number[] {
   const places = [...new Set(given.map((name) => options.findIndex((option) => option.name === name)))].filter((place) => place >= 0);
   return kind === 'order' ? places : places.sort((a, b) => a - b);
 }
 
-/** The place of the first option that has the same partner: partners that read the same are one target. */
+/** Returns the index of the first option with the same partner: equal partner texts are one target. */
 export const targetOf = (options: readonly QuestionOption[], place: number): number => options.findIndex(({ partner }) => partner === options[place]?.partner);
 
-/** Which option was given whose partner, by their places; options may have none. */
+/** Returns the pairs of option and given partner, by their indices; options may have none. */
 export function pairsOf({ options }: Question, given: readonly string[]): (readonly [source: number, target: number])[] {
   return options.flatMap((_, source) => {
     const place = options.findIndex(({ name }) => name === given[source]);
@@ -56,14 +56,14 @@ export function pairsOf({ options }: Question, given: readonly string[]): (reado
   });
 }
 
-/** The names that a right answer chooses, in the form of `given`; none where nothing is right. */
+/** Returns the names that a right answer chooses, in the form of `given`; empty if nothing is right. */
 export function rightNames({ kind, options, isUngraded }: Question): string[] {
   if (isUngraded === true) return [];
   const right = kind === 'order' || kind === 'match' ? options : options.filter(({ isRight }) => isRight);
   return right.map(({ name }) => name);
 }
 
-/** Names that were given as `choice`, `sequencing` or `matching` have them. */
+/** Returns the given names in the form of `choice`, `sequencing` or `matching`. */
 function chosen(question: Question, given: readonly string[], { items }: Limits): string {
   const identifier = (place: number) => identifierOf(question.options[place]?.name ?? '', place);
   const parts =
@@ -71,16 +71,16 @@ function chosen(question: Question, given: readonly string[], { items }: Limits)
   return parts.slice(0, items).join(BETWEEN);
 }
 
-/** A number that was written; undefined where it is none, or none that the formats have. */
+/** Returns an entered number; undefined if invalid, or not representable in the formats. */
 export const numberText = (given: readonly string[]): string | undefined => decimal(numberOf(given[0] ?? '') ?? NaN);
 
-/** What was written into gaps; empty where that is nothing. */
+/** Returns the texts entered into gaps; empty if there are none. */
 export function gapsText(given: readonly string[], { gaps, gapLength }: Limits): string {
   const parts = given.slice(0, gaps).map((text) => plain(text, gapLength));
   return parts.some((part) => part !== '') ? parts.join(BETWEEN) : '';
 }
 
-/** A learner's answer; undefined where there is none, or none that the form has. */
+/** Returns a learner's response; undefined if there is none, or none representable in the format. */
 export function responseOf({ question, answered: { given } }: Pick<Reply, 'question' | 'answered'>, limits: Limits): string | undefined {
   switch (TYPES[question.kind]) {
     case 'fill-in':
@@ -94,19 +94,19 @@ export function responseOf({ question, answered: { given } }: Pick<Reply, 'quest
   }
 }
 
-/** One of each list, in all ways, as far as there may be so many. */
+/** Returns all combinations of one item per list, up to a maximum number. */
 function combinations(lists: readonly (readonly string[])[], most: number): string[][] {
   return lists.reduce<string[][]>((made, list) => made.flatMap((head) => list.map((last) => [...head, last])).slice(0, most), [[]]);
 }
 
-/** A range of numbers; undefined where it has no end, has one that the form has not, or where a wrong answer before it lies in it. */
+/** Returns a range of numbers; undefined if it is unbounded, its bounds are not representable, or a preceding wrong answer lies in it. */
 function rangeOf({ least = -Infinity, most = Infinity }: QuestionOption, before: readonly QuestionOption[]): string | undefined {
   const ends = [least, most].map((end) => (Number.isFinite(end) ? decimal(end) : ''));
   const isCut = before.some((other) => !other.isRight && (other.least ?? -Infinity) <= most && (other.most ?? Infinity) >= least);
   return isCut || least > most || ends.includes(undefined) || ends.every((end) => end === '') ? undefined : ends.join(RANGE);
 }
 
-/** What is right, each way once; empty where nothing is, or where the form has nothing for it. */
+/** Returns the patterns of a right answer, each once; empty if nothing is right, or the format cannot express it. */
 export function patternsOf(question: Question, limits: Limits): string[] {
   if (question.isUngraded === true) return [];
   const right = question.options.filter(({ isRight }) => isRight);

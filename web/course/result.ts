@@ -1,4 +1,4 @@
-/** What a learner has reached, once the story has ended: points by question, and the ways on from there. */
+/** Result page of a learner after the story: points by question, and further actions. */
 
 import { html, nothing, render, type TemplateResult } from 'lit';
 import type { Answered, Score } from '../element/base/answers.js';
@@ -8,7 +8,7 @@ import type { Question } from '../element/base/questions.js';
 import { givenText } from './given.js';
 import type { CourseWords } from './words.js';
 
-/** What is shown of an attempt. */
+/** Displayed data of an attempt. */
 export interface Attempt {
   readonly questions: readonly Question[];
   readonly answered: readonly Answered[];
@@ -22,11 +22,11 @@ export interface Attempt {
 export interface ResultActions {
   /** Begins a new attempt. */
   again(): void;
-  /** Shows the story once more, with what was answered. */
+  /** Replays the story with the given answers. */
   review(): void;
 }
 
-/** What has become of a question. */
+/** Returns the outcome of a question. */
 function outcomeOf({ isUngraded }: Question, answered: Answered | undefined): 'unanswered' | 'taken' | 'right' | 'wrong' {
   if (answered === undefined) return 'unanswered';
   if (isUngraded === true) return 'taken';
@@ -44,7 +44,7 @@ function row(question: Question, answered: Answered | undefined, words: CourseWo
   </li>`;
 }
 
-/** A gap is a place to be filled. */
+/** Returns the prompt of a question with placeholders for gaps. */
 const promptOf = ({ kind, prompt }: Question): string => (kind === 'gap' ? prompt.replaceAll(/\[[^[\]]*\]/g, '___') : prompt);
 
 /** Draws the result into a section of the page. */

@@ -1,4 +1,4 @@
-/** Tries again what did not work, each time after a longer wait. */
+/** Retries failed operations with growing delays. */
 
 /** The first wait after a failure; each further one doubles it. */
 const FIRST_WAIT_MS = 1000;
@@ -14,7 +14,7 @@ export class RetryTimer {
     this.#act = act;
   }
 
-  /** It has failed: once more, after a while. */
+  /** Schedules another try after a failure. */
   later(): void {
     if (this.#isClosed) return;
     clearTimeout(this.#timer);
@@ -28,14 +28,14 @@ export class RetryTimer {
     this.#waitMs = FIRST_WAIT_MS;
   }
 
-  /** Nothing is tried any more. */
+  /** Cancels all retries. */
   close(): void {
     this.#isClosed = true;
     clearTimeout(this.#timer);
   }
 }
 
-/** Asks until there is an answer, and says each time that there was none; undefined where the page went before. */
+/** Repeats a request until there is an answer, and reports each failure; returns undefined if the page closed before. */
 export async function until<T>(ask: () => Promise<T | undefined>, isClosed: () => boolean): Promise<T | undefined> {
   for (let waitMs = FIRST_WAIT_MS; !isClosed(); waitMs = Math.min(MAX_WAIT_MS, 2 * waitMs)) {
     const answer = await ask();

@@ -1,6 +1,6 @@
 /**
- * SCORM 1.2 and SCORM 2004 as a course speaks them: the object that the learning management system puts beside the page, and the
- * names of its data (SCORM 1.2 Run-Time Environment, 3.4; SCORM 2004 4th Edition Run-Time Environment, 4.2).
+ * SCORM 1.2 and SCORM 2004 interface of a course: the API object that the learning management system provides to the page, and the names of its data (SCORM
+ * 1.2 Run-Time Environment, 3.4; SCORM 2004 4th Edition Run-Time Environment, 4.2).
  */
 
 import { interaction12, interaction2004, type Elements } from './interactions.js';
@@ -14,19 +14,19 @@ import { StorageProblems } from './storage-problems.js';
 /** The object of the system: texts in, texts out. */
 type Api = { readonly [method: string]: (...given: string[]) => string };
 
-/** The texts that a version has for what a course says. */
+/** Vocabulary of a SCORM version. */
 interface Version {
   readonly title: string;
   /** The object's name. */
   readonly object: string;
-  /** What its methods begin with. */
+  /** Prefix of its methods. */
   readonly prefix: string;
   readonly begin: string;
   readonly end: string;
   readonly names: {
     readonly mode: string;
     readonly memory: string;
-    /** Whose session it is, and whether it goes on with an earlier one. */
+    /** Elements of the learner's identity and of the resumed session. */
     readonly learner: string;
     readonly entry: string;
     readonly place: string;
@@ -96,18 +96,18 @@ export const SCORM_2004: Version = {
 
 const MAX_SCORE = 100;
 /**
- * The most characters of the memory: what 1.2 promises (3.4.5). 2004 promises 64,000 (4.2.25), but systems of earlier editions, which
- * take its packages as well, have 4,000.
+ * Maximum length of the memory, characters: the limit that 1.2 guarantees (3.4.5). 2004 guarantees 64,000 (4.2.25), but systems of earlier editions, which
+ * accept its packages as well, have 4,000.
  */
 export const MAX_MEMORY = 4000;
-/** A status is never taken back for one before it. */
+/** Statuses in ascending order; a status is never lowered. */
 const STATUSES = ['', 'not attempted', 'unknown', 'browsed', 'incomplete', 'completed', 'failed', 'passed'];
-/** The error of 1.2 for what a system need not have. */
+/** SCORM 1.2 error code of an optional element that is not implemented. */
 const NOT_IMPLEMENTED = '401';
-/** What systems may refuse without a loss: what is right, and how a question reads, is in the course. */
+/** Elements that systems may reject without loss: right answers and question texts are in the course. */
 const BESIDE = /correct_responses|description|weighting|latency|time(stamp)?$/;
 
-/** So many windows are looked at: systems put the course into frames of frames. */
+/** Maximum number of windows searched: systems nest the course in frames. */
 const MAX_PARENTS = 20;
 
 /** The object of a window, of those around it, and of the one that has opened it. */
@@ -135,32 +135,35 @@ export class Scorm implements Record {
   readonly #from: Window;
   readonly #sinceMs = performance.now();
   #api: Api | undefined;
-  /** What the system has of each element. */
+  /** Value of each element in the system. */
   readonly #set = new Map<string, string>();
-  /** Somebody looks at what a learner did before: nothing is told. */
+  /** True if a learner's earlier work is reviewed: nothing is reported. */
   #isReview = false;
   /** The statuses that the system has had: of completion, and of success where that is apart. */
   readonly #had = new Map<string, string>();
   #isKept = true;
-  /** How many answers the system has. */
+  /** Number of answers in the system. */
   #replies = 0;
-  /** It has none of answers: in 1.2 they are optional. */
+  /** False if the system does not support answers: in 1.2 they are optional. */
   #takesReplies = true;
-  /** Answers that it has not taken yet, those that it has taken and not confirmed, by their numbers, and parts of them that it has not taken. */
+  /** Answers not yet accepted, answers accepted but not confirmed, by their numbers, and their parts not yet accepted. */
   #waiting: Reply[] = [];
   #taken: TakenReply[] = [];
   #late: Elements = [];
   #waitingSlot: Slot | undefined;
-  /** Says that the system has not confirmed all that was told. */
+  /** Slot that marks unconfirmed reports. */
   #openSlot: Slot | undefined;
-  /** Says that the attempt is complete. */
+  /** Slot that marks a complete attempt. */
   #doneSlot: Slot | undefined;
   #copy: LocalCopy | undefined;
   #last: Memory = NOTHING;
   #isClosed = false;
   #isComplete = false;
 
-  /** `course`: its address; `from`: the window in and around which the system is looked for; `shelf`: what keeps a copy where the system loses something. */
+  /**
+   * Creates the record; `course`: its address; `from`: the window from which the system is searched, including its parents; `shelf`: storage of a copy against
+   * data loss in the system.
+   */
   constructor(version: Version, course: string, shelf: Shelf | undefined, from: Window = window) {
     this.#version = version;
     this.#course = course;
@@ -194,7 +197,7 @@ export class Scorm implements Record {
     return { memory, isComplete, isReview: this.#isReview };
   }
 
-  /** Begins the session; undefined where the system does not, now. */
+  /** Begins the session; returns undefined if the system cannot at present. */
   #began(api: Api, begin: string): true | undefined {
     this.#api = api;
     const isBegun = this.#call(begin, '') === 'true';
@@ -203,7 +206,7 @@ export class Scorm implements Record {
     return isBegun || undefined;
   }
 
-  /** What the system knows, with what this browser has beside it. */
+  /** Returns the memory of the system, merged with that of this browser. */
   #memory(): Memory {
     const { names } = this.#version;
     const learner = this.#get(names.learner);
@@ -234,7 +237,7 @@ export class Scorm implements Record {
     return { ...known, best: bestOf(known.best, had) };
   }
 
-  /** Answers that the system may not have: those with the number of one that it has are told once more, unless that is another's. */
+  /** Queues answers that the system may lack: answers with the number of an existing one are reported again, unless that one belongs to another page. */
   #recall(isOurs: boolean): void {
     for (const { n, reply } of takenIn(this.#waitingSlot?.get())) {
       if (n === undefined || n >= this.#replies || !isOurs) this.#waiting.push(reply);
@@ -285,7 +288,7 @@ export class Scorm implements Record {
     this.#tellReplies();
   }
 
-  /** Tells the answers that wait, in order: each before the next. */
+  /** Reports pending answers, in order. */
   #tellReplies(): void {
     this.#late = this.#late.filter(([element, value]) => !this.#put(element, value));
     while (this.#api !== undefined) {
@@ -340,7 +343,7 @@ export class Scorm implements Record {
     return this.#call('GetValue', element);
   }
 
-  /** Sets what is new, and tells whether the system has it; what was refused is tried again with the next report. */
+  /** Sets a changed element, and returns true if the system accepted it; rejected ones are retried with the next report. */
   #put(element: string, value: string): boolean {
     if (this.#isReview || this.#api === undefined || this.#set.get(element) === value) return true;
     const isTaken = this.#call('SetValue', element, value) === 'true';
@@ -362,7 +365,7 @@ export class Scorm implements Record {
   }
 }
 
-/** An answer, and its number where the system has taken it. */
+/** An answer, with its number once the system has accepted it. */
 interface TakenReply {
   readonly n: number | undefined;
   readonly reply: Reply;

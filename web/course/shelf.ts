@@ -1,11 +1,11 @@
-/** What a course keeps in the browser until a system has it for good. */
+/** Browser storage of a course until a system has confirmed the data. */
 
 import { joined, readMemory, writeMemory, type Memory } from './memory.js';
 
-/** Keeps texts by name: the browser's `localStorage`, where a page may have it. */
+/** Text storage by name: the browser's `localStorage`, if available to the page. */
 export type Shelf = Pick<Storage, 'getItem' | 'setItem' | 'removeItem'>;
 
-/** What is told all the time is kept so often. */
+/** Minimum interval for saving continuously changing data, milliseconds. */
 export const FOLLOW_MS = 1000;
 
 /** A text on a shelf. */
@@ -27,7 +27,7 @@ export class Slot {
     }
   }
 
-  /** Whether it is kept: a shelf may be full, or forbidden. */
+  /** Stores a text; returns false if the storage is full or forbidden. */
   set(text: string): boolean {
     try {
       this.#shelf?.setItem(this.#name, text);
@@ -46,15 +46,12 @@ export class Slot {
   }
 }
 
-/**
- * The memory of a course beside that of its system. It is whole where a system has no room for all of it, and stays where a system
- * loses what it has confirmed.
- */
+/** Local copy of a course's memory. It is complete if a system has no room for all of it, and survives if a system loses confirmed data. */
 export class LocalCopy {
   readonly #slot: Slot;
   readonly #name: string;
   #putMs = -Infinity;
-  /** What was written last: else another page of the course has. */
+  /** Last text written here; a different stored text comes from another page of the course. */
   #written: string | undefined;
 
   constructor(shelf: Shelf | undefined, name: string) {
@@ -67,7 +64,7 @@ export class LocalCopy {
     return readMemory(this.#slot.get() ?? '');
   }
 
-  /** Keeps a memory; whether that went. */
+  /** Stores a memory; returns false on failure. */
   put(memory: Memory): boolean {
     this.#putMs = performance.now();
     const stored = this.#slot.get();
@@ -76,12 +73,12 @@ export class LocalCopy {
     return this.#slot.set(text);
   }
 
-  /** What another page of the course has written, by the browser's event of it. */
+  /** Returns the memory written by another page of the course, from the browser's `storage` event. */
   others(key: string | null, text: string | null): Memory | undefined {
     return key === this.#name && text !== null ? readMemory(text) : undefined;
   }
 
-  /** Keeps a memory that is told all the time, once a second: a page may go without a word. */
+  /** Stores a continuously changing memory once a second, since a page may close without notice. */
   follow(memory: Memory): void {
     if (performance.now() - this.#putMs >= FOLLOW_MS) this.put(memory);
   }

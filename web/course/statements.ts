@@ -9,7 +9,7 @@ const VIDEO = 'https://w3id.org/xapi/video';
 const SESSION = `${VIDEO}/extensions/session-id`;
 const CMI5 = 'https://w3id.org/xapi/cmi5/context/';
 
-/** What a learner does, by the verbs' addresses. */
+/** Verbs of a learner's actions, by address. */
 export const VERBS = {
   initialized: `${ADL}initialized`,
   completed: `${ADL}completed`,
@@ -23,27 +23,27 @@ export const VERBS = {
   answered: `${ADL}answered`,
 } as const;
 
-/** What is said of the course; what is answered is said of its questions. */
+/** A verb with the course as object; answers have its questions as object. */
 export type Verb = Exclude<keyof typeof VERBS, 'answered'>;
 
-/** What statements of a session have in common. */
+/** Common data of a session's statements. */
 export interface Session {
   readonly actor: unknown;
   readonly activityId: string;
   readonly title: string;
   readonly language: string;
   readonly registration: string | undefined;
-  /** Of this session, where the launch gives none: a UUID. */
+  /** Identifier of this session if the launch provides none: a UUID. */
   readonly sessionId: string;
   /** The share that counts as all of it, 0 to 1. */
   readonly threshold: number;
-  /** It is one of cmi5, which has rules of its own. */
+  /** True for a cmi5 session, which has rules of its own. */
   readonly isCmi5: boolean;
-  /** The share of the points that the system wants, 0 to 1; undefined where it wants none. */
+  /** Share of the points that the system requires, 0 to 1; undefined if it requires none. */
   readonly masteryScore: number | undefined;
 }
 
-/** Where the learner is as a statement is made. */
+/** State of the learner when a statement is made. */
 export interface LearnerPosition {
   readonly placeSecs: number;
   /** Before a seek. */
@@ -52,26 +52,26 @@ export interface LearnerPosition {
   readonly progress: number;
   readonly seen: readonly Span[];
   readonly spentMs: number;
-  /** Points so far; undefined where the story asks nothing. */
+  /** Points up to now; undefined without questions. */
   readonly score: Score | undefined;
-  /** Nothing is left to answer: the score is the last one. */
+  /** True if no question is left to answer: the score is final. */
   readonly isSettled: boolean;
 }
 
 const rounded = (secs: number): number => Math.round(secs * 1000) / 1000;
 /** ISO 8601, hundredths of a second. */
 export const durationOf = (ms: number): string => `PT${Math.round(ms / 10) / 100}S`;
-/** As the profile writes what was played. */
+/** Formats played spans in the notation of the profile. */
 const segments = (seen: readonly Span[]): string => seen.map(([from, to]) => `${rounded(from)}[.]${rounded(to)}`).join('[,]');
 
-/** Points as a score; nothing where there are none to be had. cmi5 has whole ones (9.5.1), and the share as it is: it decides. */
+/** Returns points as a score; empty if there are none to earn. In cmi5 points are whole (9.5.1), with the exact share, which decides. */
 export function scoreOf(points: number, most: number): object {
   if (!(most > 0)) return {};
   const scaled = Math.min(1, Math.max(0, points / most));
   return { score: { scaled, ...(Number.isInteger(points) && Number.isInteger(most) ? { raw: points, min: 0, max: most } : {}) } };
 }
 
-/** Results that a verb asks for. */
+/** Returns the results that a verb requires. */
 function resultOf(verb: Verb, { isCmi5 }: Session, { placeSecs, fromSecs, progress, seen, spentMs, score, isSettled }: LearnerPosition): object | undefined {
   const extension = (name: string) => `${VIDEO}/extensions/${name}`;
   const points = score === undefined ? {} : scoreOf(score.points, score.most);
@@ -111,14 +111,14 @@ interface Grouped {
   readonly extensions?: object;
 }
 
-/** What is added to the context of a session. */
+/** Additions to the context of a session. */
 export interface SessionContext {
   readonly categories: readonly string[];
   readonly parent?: object;
   readonly extensions: object;
 }
 
-/** The context of a statement, without what the launch wants in it. */
+/** Returns the context of a statement, without the launch's additions. */
 export function contextOf({ registration, sessionId }: Session, { categories, parent, extensions }: SessionContext): object {
   const category = categories.map((id) => ({ id }));
   return {
@@ -128,7 +128,7 @@ export function contextOf({ registration, sessionId }: Session, { categories, pa
   };
 }
 
-/** A statement with what all of a launch are to have in their contexts: nothing of that is lost or written over (cmi5, 10.2.1). */
+/** Merges the launch's context template into a statement: no part of it is lost or overwritten (cmi5, 10.2.1). */
 export function launchedAs(statement: Statement, template: object): Statement {
   const { contextActivities: own = {}, extensions, ...context } = (statement['context'] ?? {}) as Grouped;
   const { contextActivities: given = {}, extensions: more, ...others } = template as Grouped;
@@ -143,7 +143,7 @@ export function movedTo(statement: Statement, { sessionId }: Session): Statement
   return { ...statement, context: { ...context, extensions: { ...extensions, [SESSION]: sessionId } } };
 }
 
-/** Whether a statement has one of these verbs. */
+/** Returns true if a statement has one of these verbs. */
 export const hasVerb = ({ verb }: Statement, ...verbs: readonly Verb[]): boolean => verbs.some((it) => VERBS[it] === (verb as { id?: unknown } | undefined)?.id);
 
 /** The course as an activity. */
@@ -153,7 +153,7 @@ export const courseOf = ({ activityId, language, title }: Session): object => ({
   definition: { type: `${VIDEO}/activity-type/video`, name: { [language]: title } },
 });
 
-/** The categories of a statement about the course: the profile's, and cmi5's for its own statements (9.6.2); others it allows. */
+/** Returns the categories of a statement about the course: the profile's, and cmi5's for its own statements (9.6.2), which permits others. */
 function categoriesOf(verb: Verb, isCmi5: boolean): string[] {
   const isJudged = verb === 'passed' || verb === 'failed';
   const isOwn = isJudged || verb === 'completed' || verb === 'initialized' || verb === 'terminated';

@@ -1,31 +1,31 @@
-/** What keeps a record from being kept, for learners to see. */
+/** Problems that prevent a record from being saved, for display to learners. */
 
 /**
- * `away`: nobody answers. `denied`: the system does not let the course in any more. `refused`: it does not take something.
- * `unkept`: the browser itself keeps nothing.
+ * A problem. `away`: the system does not respond. `denied`: the system no longer admits the course. `refused`: it rejects some data. `unkept`: the browser
+ * itself cannot store.
  */
 export type StorageProblem = 'away' | 'denied' | 'refused' | 'unkept';
 
-/** Troubles of a record, each by what has it; tells its listener of the worst, and when there is none any more. */
+/** Problems of a record, by source; reports the worst to its listener, and the end of all problems. */
 export class StorageProblems {
   readonly #all = new Map<string, StorageProblem>();
-  /** What is not saved is kept in this browser meanwhile. */
+  /** True if unsaved data are stored in this browser meanwhile. */
   isKept = true;
   #told: StorageProblem | undefined;
   #listener: (trouble: StorageProblem | undefined) => void = () => undefined;
 
-  /** What there is now. */
+  /** The present problem. */
   get now(): StorageProblem | undefined {
     return this.#told;
   }
 
-  /** There is one listener: the page of the course. It is told at once of what there is. */
+  /** Sets the single listener, the page of the course, and immediately reports the present state. */
   listen(listener: (trouble: StorageProblem | undefined) => void): void {
     this.#listener = listener;
     if (this.#told !== undefined) listener(this.#told);
   }
 
-  /** `what` has a trouble, or has none any more. */
+  /** Sets or clears the problem of a source. */
   set(what: string, trouble: StorageProblem | undefined): void {
     if (trouble === undefined) this.#all.delete(what);
     else this.#all.set(what, trouble);

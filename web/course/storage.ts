@@ -1,4 +1,4 @@
-/** A course on a plain site: the browser itself keeps what the learner did. */
+/** A course on a plain site: the browser itself stores the learner's actions. */
 
 import type { Score } from '../element/base/answers.js';
 import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
@@ -10,15 +10,15 @@ export class BrowserRecord implements Record {
   readonly troubles = new StorageProblems();
   readonly #slot: Slot;
   readonly #name: string;
-  /** What was written last: else another page of the course has. */
+  /** Last text written here; a different stored text comes from another page of the course. */
   #written: string | undefined;
   #last: Report | undefined;
   #wasComplete = false;
-  /** What was kept before is known: it must not be written over. */
+  /** True if the earlier data have been read: until then they must not be overwritten. */
   #isOpen = false;
   #keptMs = -Infinity;
 
-  /** `course` names the course among those of a site. Without a `shelf`, as in a frame that may keep nothing, each visit is the first. */
+  /** Creates the record; `course` identifies the course on its site. Without a `shelf`, for example in a frame without storage, each visit is the first. */
   constructor(course: string, shelf: Shelf | undefined) {
     this.#name = `raconteur-course:${course}`;
     this.#slot = new Slot(shelf, this.#name);

@@ -6,7 +6,7 @@ export interface Statement {
   readonly [part: string]: unknown;
 }
 
-/** Where it is and what it is asked with. */
+/** Address and credentials of the store. */
 export interface Access {
   /** Ends with a slash. */
   readonly endpoint: string;
@@ -14,7 +14,7 @@ export interface Access {
   readonly authorization: string;
 }
 
-/** Whose state is kept. */
+/** Owner of a stored state. */
 export interface Owner {
   readonly activityId: string;
   /** As the launch gave it. */
@@ -23,8 +23,7 @@ export interface Owner {
 }
 
 /**
- * What became of a request: the store has it (`taken`), cannot be reached or is busy (`away`), does not let the course in any more
- * (`denied`), or does not take this (`refused`).
+ * Outcome of a request: the store has it (`taken`), is unreachable or busy (`away`), no longer admits the course (`denied`), or rejects the data (`refused`).
  */
 export type Outcome = 'taken' | 'away' | 'denied' | 'refused';
 
@@ -47,7 +46,7 @@ export class RecordStore {
     this.#access = access;
   }
 
-  /** Hands over statements, all or none of them. A page that goes may still send them. */
+  /** Sends statements atomically. Also works while a page closes. */
   async send(statements: readonly Statement[]): Promise<Outcome> {
     const [first, ...more] = statements;
     if (first === undefined) return 'taken';
@@ -58,12 +57,12 @@ export class RecordStore {
     return status === 409 && more.length === 0 ? 'taken' : outcomeOf(status);
   }
 
-  /** A document of the state of a learner in an activity; its text is empty where there is none. */
+  /** Reads a document of a learner's state in an activity; its text is empty if there is none. */
   state(owner: Owner, id: string): Promise<{ readonly outcome: Outcome; readonly text: string }> {
     return this.#document('activities/state', query(owner, id));
   }
 
-  /** A document that the store has of a learner, whatever they do. */
+  /** Reads a document of a learner's profile, independent of activities. */
   profile({ agent }: Owner, profileId: string): Promise<{ readonly outcome: Outcome; readonly text: string }> {
     return this.#document('agents/profile', { agent, profileId });
   }
@@ -94,7 +93,7 @@ export class RecordStore {
   }
 }
 
-/** 503 where nobody answers. */
+/** Returns the status of a response; 503 if there is none. */
 const statusOf = (response: Promise<Response>): Promise<number> =>
   response.then(
     ({ status }) => status,

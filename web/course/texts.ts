@@ -1,11 +1,11 @@
 /** Texts and numbers as the formats of answers have them. */
 
-/** What parts of an answer stand between. */
+/** Delimiter between parts of an answer. */
 export const BETWEEN = '[,]';
 
 /**
- * A learner's or an author's text within an answer, at most so many characters (UTF-16 units) long: on one line, without delimiters of
- * the formats, and without a `{` at its start, where a language is looked for. No character is cut in two.
+ * Returns a learner's or an author's text for use in an answer, with at most a number of characters (UTF-16 units): on one line, without delimiters of the
+ * formats, and without a `{` at its start, where a language is expected. No character is split.
  */
 export function plain(text: string, most: number): string {
   // What is far beyond the limit need not be looked through.
@@ -26,7 +26,7 @@ export function plain(text: string, most: number): string {
 const MAX_NUMBER = 1e10;
 const MAX_DECIMALS = 18;
 
-/** A number without an exponent; undefined where it is none, or is too large for the formats. */
+/** Formats a number without an exponent; returns undefined if it is not finite, or too large for the formats. */
 export function decimal(number: number): string | undefined {
   if (!(Math.abs(number) < MAX_NUMBER)) return undefined;
   const text = String(number);

@@ -1,4 +1,4 @@
-/** What the page of a course says, in the language of the course. */
+/** Texts of a course page, in the language of the course. */
 
 import type { Absence } from './report.js';
 import type { Trouble } from './storage-problems.js';
@@ -134,5 +134,5 @@ const DE: CourseWords = {
 
 const LANGUAGES: { readonly [language: string]: CourseWords | undefined } = { en: EN, pt: PT, de: DE };
 
-/** The words of a language, a tag of BCP 47; English where there are none. */
+/** Returns the texts of a language, a BCP 47 tag; English if there are none. */
 export const wordsOf = (language: string): CourseWords => LANGUAGES[language.toLowerCase().split('-')[0] ?? ''] ?? EN;

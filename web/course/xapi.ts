@@ -1,5 +1,5 @@
 /**
- * A course with a record store: launched by a link with the store's address, as Tin Can packages are, or by a cmi5 system
+ * A course with a record store: launched by a link with the store's address, like Tin Can packages, or by a cmi5 system
  * (https://aicc.github.io/CMI-5_Spec_Current, 8 to 11), whose session has rules of its own.
  */
 
@@ -15,10 +15,10 @@ import { hasVerb, launchedAs, movedTo, statementOf, type LearnerPosition, type S
 import { RecordStore, type Outcome, type Statement } from './store.js';
 import { StorageProblems } from './storage-problems.js';
 
-/** Under which a course keeps its memory in the store. */
+/** Identifier of the course's memory in the store. */
 const STATE = 'raconteur';
 
-/** What the course's author says of it. */
+/** The author's description of the course. */
 export interface Course {
   readonly activityId: string;
   readonly title: string;
@@ -26,14 +26,14 @@ export interface Course {
   readonly watched: number;
 }
 
-/** What statements a registration may have once, and the score that was said last. */
+/** Statements already made that are allowed once per registration, and the last reported score. */
 interface SentStatement {
   readonly isComplete: boolean;
   readonly verdict?: 'passed' | 'failed' | undefined;
   readonly score?: Score | undefined;
 }
 
-/** What was said, as the state has it. */
+/** Reads the made statements from the state. */
 function saidIn(text: string): SentStatement & { readonly memory: string } {
   try {
     const { memory, isComplete, verdict, score } = JSON.parse(text) as { [name in keyof SentStatement | 'memory']?: unknown };
@@ -59,20 +59,20 @@ export class XapiRecord implements Record {
   #session: Session | undefined;
   #outbox: Outbox | undefined;
   #copy: LocalCopy | undefined;
-  /** What it had when the session began: until the store answers that is added to. */
+  /** Memory at the start of the session, extended until the store answers. */
   #earlier: Memory = NOTHING;
-  /** What was said beside the memory: the store may not have it yet. */
+  /** Slot with the made statements in addition to the memory, which the store may lack. */
   #saidSlot: Slot | undefined;
   /** Undefined until the store has answered. */
   #launch: Launch | undefined;
   #keeper: StateKeeper | undefined;
   #last: Report = { placeSecs: 0, progress: 0, seen: [], durationSecs: 0, isComplete: false, memory: NOTHING, score: undefined, isSettled: false, isPassed: undefined };
   #said: SentStatement = { isComplete: false };
-  /** Passed or failed was said in this session, which has room for no other in cmi5. */
+  /** True if passed or failed was stated in this session; a cmi5 session allows only one of them. */
   #isJudged = false;
   #isClosed = false;
 
-  /** `address`: that of the page; `shelf`: what keeps statements and answers that the store has not taken. */
+  /** Creates the record; `address`: that of the page; `shelf`: storage of statements and answers that the store has not accepted. */
   constructor(address: string, course: Course, shelf: Shelf | undefined) {
     this.#course = course;
     this.#shelf = shelf;
@@ -86,7 +86,7 @@ export class XapiRecord implements Record {
     this.#begin(this.#link);
   }
 
-  /** What is said before the store has answered waits in the outbox. */
+  /** Begins the session; statements made before the store answers wait in the outbox. */
   #begin({ actor, owner, fetch }: Link): void {
     const { title, language, watched } = this.#course;
     const { activityId, registration, agent } = owner;
@@ -135,7 +135,7 @@ export class XapiRecord implements Record {
     return { memory: known, isComplete: this.#said.isComplete, pass, isReview, isMuted, returnAddress };
   }
 
-  /** What was said once, by the store, by this browser and by what waits to be sent: it is not said again. */
+  /** Merges the statements already made, from the store, this browser and the outbox: they are not repeated. */
   #saidOf(...known: readonly SentStatement[]): SentStatement {
     const waiting = this.#outbox?.waiting ?? [];
     const has = (verb: Verb) => waiting.some((statement) => hasVerb(statement, verb));
@@ -159,8 +159,8 @@ export class XapiRecord implements Record {
   }
 
   /**
-   * The order in which statements go that earlier sessions could not send. A session of cmi5 begins and ends with its own ones (9.3):
-   * what is older is said in it, without the marks of sessions that are over.
+   * Returns the order for sending statements left over from earlier sessions. A cmi5 session begins and ends with its own statements (9.3): older ones are
+   * sent inside it, without the marks of ended sessions.
    */
   #arranged(waiting: readonly Statement[]): readonly Statement[] {
     const session = this.#session;
@@ -186,9 +186,8 @@ export class XapiRecord implements Record {
   }
 
   /**
-   * Says that somebody has passed, or failed: as soon as nothing is left to answer, so that it has the last score, or at the end of a
-   * session. Who has passed does not fail any more (cmi5, 9.3), and a session of cmi5 says one of them: who has failed may try again
-   * until it ends.
+   * States passed or failed: as soon as no question is left to answer, with the final score, or at the end of a session. A learner who has passed can no
+   * longer fail (cmi5, 9.3), and a cmi5 session contains only one of them: after failing, a learner may retry until it ends.
    */
   #judge(isEnd: boolean): void {
     const { isPassed, score, isSettled } = this.#last;
@@ -211,7 +210,7 @@ export class XapiRecord implements Record {
     if (this.#session !== undefined && this.#launch?.isReview !== true) this.#outbox?.add(answeredOf(this.#session, reply));
   }
 
-  /** A memory with what this browser had before, until the store tells all. */
+  /** Merges a memory with this browser's earlier data, until the store has answered. */
   #known(memory: Memory): Memory {
     return this.#launch === undefined ? joined(memory, this.#earlier) : memory;
   }
@@ -242,7 +241,7 @@ export class XapiRecord implements Record {
     this.#outbox?.close();
   }
 
-  /** Who only looks at it begins and ends a session, and nothing else is said (cmi5, 10: `launchMode`). */
+  /** Makes a statement. In review mode only the start and the end of the session are stated (cmi5, 10: `launchMode`). */
   #say(verb: Verb, said: Partial<SentStatement> = {}, fromSecs?: number): void {
     if (this.#session === undefined || this.#isClosed) return;
     if (this.#launch?.isReview && verb !== 'initialized' && verb !== 'terminated') return;

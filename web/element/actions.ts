@@ -1,4 +1,4 @@
-/** What the controls and the keys of a player do. */
+/** Actions of a player's controls and keys. */
 
 import type { BarActions } from './controls/controls.js';
 import type { KeyActions } from './controls/keyboard.js';

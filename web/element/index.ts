@@ -1,4 +1,4 @@
-/** What a page imports: registers `<raconteur-player>` and hands on its types. */
+/** Entry point for pages: registers `<raconteur-player>` and re-exports its types. */
 
 import { register } from './register.js';
 

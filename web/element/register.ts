@@ -2,7 +2,7 @@
 
 import { RaconteurPlayer } from './element.js';
 
-/** Makes elements of this name players. `library`: where the asset library is for those that do not say. */
+/** Registers elements of this name as players. `library`: the default location of the asset library. */
 export function register(library?: string): void {
   // Elements that stand in the page become players at once, so what they need is said before.
   if (library !== undefined) RaconteurPlayer.library = library;

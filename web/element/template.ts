@@ -11,15 +11,15 @@ import type { Questioner } from './lesson/questioner.js';
 import { hasCaptions, type Show } from './story/show.js';
 import type { StoryLoader } from './story/story-loader.js';
 
-/** What the template reads besides the element's own properties. */
+/** State read by the template in addition to the element's own properties. */
 export interface TemplateState {
   readonly player: RaconteurPlayer;
   readonly show: Show | undefined;
   readonly stories: StoryLoader;
   readonly idle: Idle;
-  /** The story was played or sought. */
+  /** True if the story was played or sought. */
   readonly started: boolean;
-  /** What is shown instead of a picture. */
+  /** Film shown instead of a picture. */
   readonly film: HTMLVideoElement | undefined;
   /** Another figure is being fetched. */
   readonly changing: boolean;
@@ -60,7 +60,7 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
     ${questioner.lesson.asked === undefined ? nothing : html`<div class="growth"></div>`}`;
 }
 
-/** The story is begun; a button that goes takes no focus with it: who uses keys goes on with them. */
+/** Starts the story and moves the focus from the vanishing button, so that keyboard users can continue. */
 function begin(player: RaconteurPlayer, actions: controls.BarActions, { detail }: MouseEvent): void {
   actions.toggle();
   if (detail === 0) player.focus({ preventScroll: true });

@@ -1,12 +1,12 @@
-/** Who tells the story: the figures of the library, or a file of the user's own. */
+/** Choice of the storyteller: a figure of the library, or the user's own file. */
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Diagnostic } from '../element/base/types.js';
 
-/** A figure of the library, a file of the user's own, or nobody, which leaves the choice to the story. */
+/** Figure of the library, user's own file, or undefined, which leaves the choice to the story. */
 type PerformerChoice = string | File | undefined;
 
-/** Begins the codes of what is not about a figure. */
+/** Prefixes of diagnostic codes unrelated to figures. */
 const OF_ELSE = /^(voice|sound|engine|mind|live|tell|figure-unusable)/;
 
 /** Connects the row of faces in a page, or in an element's shadow, with a player; `changed` is called with the name of a chosen figure of the library, empty for any other. */
@@ -17,11 +17,11 @@ export function cast(player: RaconteurPlayer, changed: (figure: string) => void,
   const trouble = root.querySelector('#cast-trouble');
   const remarks = root.querySelector<HTMLDetailsElement>('#own-remarks');
   const theatre = player.parentElement;
-  /** Who was chosen last, and the last of those who came on stage. */
+  /** Last chosen storyteller; the next variable is the last one that came on stage. */
   let asked: PerformerChoice;
   let settled: PerformerChoice;
 
-  /** Marks the figure on stage, and the one that is on its way. */
+  /** Marks the figure on stage, and the one being loaded. */
   const mark = (): void => {
     const onStage = player.currentFigure ?? player.figure ?? 'sofia';
     for (const button of buttons) {
@@ -84,7 +84,7 @@ export function cast(player: RaconteurPlayer, changed: (figure: string) => void,
   return choose;
 }
 
-/** Lists what is to be said of the user's own figure, folded; nothing is shown where nothing is. */
+/** Lists the diagnostics of the user's own figure, collapsed; hidden if there are none. */
 function remark(place: HTMLDetailsElement, diagnostics: readonly Diagnostic[]): void {
   const said = diagnostics.filter(({ code, start }) => start === undefined && !OF_ELSE.test(code));
   const lines = said.map(({ message, hints }) => [message, ...hints].join(' '));

@@ -1,10 +1,10 @@
-/** What the inputs of the viewer, of the workshop for gestures and of the face have in common. */
+/** Input fields shared by the viewer, the gesture workshop and the face page. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { Directive, directive, type ElementPart } from 'lit/directive.js';
 import { live } from 'lit/directives/live.js';
 
-/** Sets custom properties of CSS. An attribute `style` is what a strict policy refuses; this is no attribute. */
+/** Directive that sets CSS custom properties without a `style` attribute, which a strict policy forbids. */
 export const vars = directive(
   class extends Directive {
     override update(part: ElementPart, [values]: [Readonly<Record<string, string>>]): void {
@@ -16,7 +16,7 @@ export const vars = directive(
   },
 );
 
-/** What a control does with a value: while it moves, and once it rests. One move is one step of undo. */
+/** Receiver of a control's values: while it moves, and at rest. One movement is one step of undo. */
 export interface Sink<T> {
   set(value: T): void;
   done(): void;
@@ -29,18 +29,18 @@ export interface NumberField extends Sink<number> {
   readonly min: number;
   readonly max: number;
   readonly step: number;
-  /** What stands behind the number. */
+  /** Unit shown after the number. */
   readonly unit?: string;
-  /** What a screen reader says instead of the slider's number. */
+  /** Text for screen readers instead of the slider's number. */
   readonly text?: string;
 }
 
 interface OwnedField extends NumberField {
-  /** What the number is said to belong to, where the label alone is not enough. */
+  /** Owner of the number for screen readers, if the label alone is ambiguous. */
   readonly of?: string;
 }
 
-/** A slider with its number beside it, which stays between the slider's ends. */
+/** Renders a slider with a number field, limited to the slider's range. */
 export function numberField(field: OwnedField): TemplateResult {
   const { label, value, min, max, step, unit = '', text, of } = field;
   const shown = Number(value.toFixed(2));

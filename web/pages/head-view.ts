@@ -1,4 +1,4 @@
-/** From where one looks at a head: around it, from above, and near. */
+/** View of a head: around it, from above, and zoom. */
 
 import { html, type TemplateResult } from 'lit';
 import type { RaconteurPlayer } from '../element/element.js';
@@ -7,22 +7,22 @@ import type { View } from '../element/base/types.js';
 import { keySteps } from './fields.js';
 import { leastTilt, TURN_PER_PIXEL, zoomByKey, zoomByWheel } from './pad.js';
 
-/** Ways to look at the head: turns about it, radians. */
+/** Named views of the head: rotations about it, radians. */
 export const SIDES = { 'Three-quarter': 0.6, Front: 0, Left: Math.PI / 2, Right: -Math.PI / 2 } as const;
 /** From the skull's joint to the middle of the head, metres: left, up, front. */
 const MIDDLE_M = [0, 0.025, 0.03] as const;
 
-/** From where one looks at the head: how far around it and from how far above, radians, and how near. */
+/** View of the head: azimuth and elevation, radians, and zoom. */
 export type Look = Pick<View, 'turn' | 'tilt' | 'zoom'>;
 
-/** The eyes of who looks are as high as those of the face, radians. */
+/** Elevation at which the viewer's eyes are level with those of the face, radians. */
 export const LEVEL = 0.02;
 
 export class HeadView {
   from: Look;
-  /** The middle of the head, from what the shot of the whole figure looks at; until it is known, that of somebody of middle height. */
+  /** Centre of the head, relative to the target of the full shot; until known, that of a person of medium height. */
   #head: readonly [number, number, number] = [0, 0.72, 0.05];
-  /** How high the middle of the head is, and how far the camera of the whole figure from what that looks at, metres. */
+  /** Height of the head's centre; the next field is the camera distance of the full shot from its target, metres. */
   #height = 1.6;
   #distance = 5;
   #view: View;
@@ -36,14 +36,14 @@ export class HeadView {
     this.#view = { ...from, right: 0, up: 0 };
   }
 
-  /** Looks from elsewhere; the head stays in the middle. */
+  /** Changes the view; the head stays centred. */
   look(look: Partial<Look>): void {
     this.#turn(look);
     this.player.look(this.#view);
     this.changed();
   }
 
-  /** Looks from elsewhere for a picture, which is drawn once, its middle so many metres lower; undefined where there is none. */
+  /** Renders an image from another view, with its centre lowered by a number of metres; undefined if there is none. */
   picture(look: Partial<Look>, lower = 0): HTMLCanvasElement | undefined {
     this.#turn(look);
     return this.player.snapshot({ ...this.#view, up: this.#view.up - lower });
@@ -65,19 +65,19 @@ export class HeadView {
     return this.#view;
   }
 
-  /** How near one looks. */
+  /** Zoom of the view. */
   get zoom(): number {
     return this.from.zoom;
   }
 
-  /** Turns the camera: its middle moves in the plane of the picture, which turns with it. */
+  /** Aims the camera: its centre moves in the image plane, which rotates with it. */
   #aim(): void {
     const { turn } = this.from;
     const [x, y, z] = this.#head;
     this.#view = { ...this.from, right: x * Math.cos(turn) - z * Math.sin(turn), up: y };
   }
 
-  /** Finds where the head is, and brings it into the middle: figures are of different height. Read it when a picture has been drawn since the last look. */
+  /** Locates and centres the head: figures differ in height. Call it after a frame has been rendered since the last change of view. */
   centre(): void {
     const pose = readPose(this.player);
     const skull = pose?.joints.find((joint) => joint.name === 'bone_skull');
@@ -94,7 +94,7 @@ export class HeadView {
   }
 }
 
-/** Dragging and arrow keys turn the head's picture; dragging only while it `turns`. */
+/** Rotates the view of the head by dragging and arrow keys; dragging only while `turns` returns true. */
 export function lookAround(view: HeadView, pad: HTMLElement, turns = (): boolean => true): void {
   pad.addEventListener('pointerdown', (event) => {
     if (event.button !== 0 || !event.isPrimary || !turns()) return;
@@ -119,7 +119,7 @@ export function lookAround(view: HeadView, pad: HTMLElement, turns = (): boolean
   });
 }
 
-/** Buttons for sides to look from, and how near. */
+/** Renders buttons for the views, and for the zoom. */
 export function lookFrom(view: HeadView): TemplateResult {
   const { from } = view;
   return html`<div class="group" role="group" aria-label="View">

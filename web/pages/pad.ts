@@ -1,23 +1,23 @@
-/** What the pads over the pictures of *Face* and *Viewer* have in common: one drags and presses keys on them to look from elsewhere. */
+/** Pads over the pictures of *Face* and *Viewer* for changing the view by dragging and keys. */
 
-/** Turn of the view for each pixel that the pointer goes, radians. */
+/** Rotation of the view per pixel of pointer movement, radians. */
 export const TURN_PER_PIXEL = 0.008;
 
-/** A camera lower than this would look through the floor, metres. */
+/** Minimum camera height, which keeps the view above the floor, metres. */
 const MIN_M = 0.12;
 
-/** The least tilt, radians, of a camera this far from what it looks at (metres, the latter's height too) that keeps it above the floor. */
+/** Returns the minimum tilt, radians, that keeps a camera at this distance from its target (metres, like the target's height) above the floor. */
 export function leastTilt(height: number, distance: number): number {
   return Math.asin(Math.min(1, Math.max(-1, (MIN_M - height) / distance)));
 }
 
-/** A picture that one comes nearer to. */
+/** Picture with a zoom. */
 interface ZoomRange {
   readonly zoom: number;
   look(look: { zoom: number }): void;
 }
 
-/** The wheel comes nearer. */
+/** Zooms with the wheel. */
 export function zoomByWheel(pad: HTMLElement, it: ZoomRange): void {
   pad.addEventListener(
     'wheel',
@@ -31,7 +31,7 @@ export function zoomByWheel(pad: HTMLElement, it: ZoomRange): void {
   );
 }
 
-/** The keys plus and minus come nearer; whether it was one of them. */
+/** Zooms with the plus and minus keys; returns true for one of them. */
 export function zoomByKey({ key }: KeyboardEvent, it: ZoomRange): boolean {
   if (key === '+' || key === '=') it.look({ zoom: it.zoom * 1.15 });
   else if (key === '-') it.look({ zoom: it.zoom / 1.15 });

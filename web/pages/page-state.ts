@@ -1,10 +1,10 @@
-/** The state of a page whose settings are written as EML: what the controls say, the text that follows from it, and the picture that follows from that. */
+/** State of a page with settings written as EML: controls, the resulting text, and the resulting picture. */
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Diagnostic } from '../element/base/types.js';
 import { UndoStack } from './undo.js';
 
-/** By then everything that is set has come: limbs and faces are where they were sent. */
+/** Time by which all settings have taken effect: limbs and faces have reached their targets. */
 export const SETTLED_SECS = 2;
 
 export abstract class PageState<S extends object> {
@@ -27,7 +27,7 @@ export abstract class PageState<S extends object> {
     this.#undo = new UndoStack(this.state);
   }
 
-  /** Takes in what the settings say by now; the text of that. */
+  /** Updates the state from the current settings; returns the text. */
   protected abstract follow(): string;
 
   /** Draws the page. */
@@ -36,7 +36,7 @@ export abstract class PageState<S extends object> {
   /** The text was read, or could not be. */
   protected read(): void {}
 
-  /** A picture that stands shows where the settings lead. */
+  /** True if a still picture shows the final result of the settings. */
   protected get showsEnd(): boolean {
     return true;
   }
@@ -47,12 +47,12 @@ export abstract class PageState<S extends object> {
     this.update();
   }
 
-  /** The control rests: what it did is one step of undo. */
+  /** Completes a control's movement as one step of undo. */
   done(): void {
     if (this.#undo.settle(this.state)) this.redraw();
   }
 
-  /** Changes a setting at once. */
+  /** Changes a setting immediately. */
   set(edit: (state: S) => void): void {
     this.change(edit);
     this.done();
@@ -84,19 +84,19 @@ export abstract class PageState<S extends object> {
     this.update();
   }
 
-  /** Writes the text of the settings anew and puts it on stage. */
+  /** Rewrites the text of the settings and loads it on stage. */
   protected update(): void {
     this.eml = this.follow();
     void this.rehearse();
     this.redraw();
   }
 
-  /** The page is going to be drawn. */
+  /** True if a redraw of the page is pending. */
   protected get drawing(): boolean {
     return this.#drawn !== 0;
   }
 
-  /** Draws the page soon; many changes are drawn once. */
+  /** Schedules a redraw of the page; several changes share one. */
   redraw(): void {
     if (this.#drawn !== 0) return;
     this.#drawn = requestAnimationFrame(() => {
@@ -105,7 +105,7 @@ export abstract class PageState<S extends object> {
     });
   }
 
-  /** Gives the text to the player; while it reads one, the next waits, and those between are never read. */
+  /** Loads the text in the player; while it reads one, only the latest is queued. */
   async rehearse(): Promise<void> {
     if (this.#reading) {
       this.#behind = true;

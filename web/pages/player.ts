@@ -1,4 +1,4 @@
-/** Registers `<raconteur-player>` for the pages, which say themselves where the library is. */
+/** Registers `<raconteur-player>` for the pages, which specify the location of the library themselves. */
 
 import { register } from '../element/register.js';
 

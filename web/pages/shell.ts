@@ -1,4 +1,4 @@
-/** What the pages *Face* and *Viewer* have in common around their panels: changes, playing, tabs, the text and its problems. */
+/** Shell shared by the pages *Face* and *Viewer* around their panels: changes, playback, tabs, the text and its problems. */
 
 import './player.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
@@ -10,23 +10,23 @@ import { copyText, onUndoKeys, byId, saveScript } from './workbench.js';
 const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
 /** Problems that are listed; the rest is counted. */
 const MAX_PROBLEMS = 5;
-/** Whatever changes what the controls of playing show. */
+/** Events after which the playback controls must be updated. */
 const PLAYER_EVENTS = ['play', 'pause', 'seeked', 'ratechange', 'loadedmetadata', 'durationchange'];
 
-/** What one page has of its own. */
+/** Page-specific parts of the shell. */
 export interface ShellPage<T extends string> {
   readonly panels: Readonly<Record<T, () => TemplateResult>>;
-  /** Buttons beside the one that plays. */
+  /** Renders buttons next to the play button. */
   playing?(): TemplateResult;
-  /** From where one looks, and at what. */
+  /** Renders the controls of the view. */
   views(): TemplateResult;
-  /** Called on reset, besides the settings. */
+  /** Called on reset, in addition to that of the settings. */
   reset?(): void;
   /** Types of inputs in which the keys of undo undo letters. */
   readonly typed: readonly string[];
   /** Draws the rest of the page. */
   draw?(): void;
-  /** Called before each picture of the screen while the story plays in view. */
+  /** Called before each frame while the story plays in view. */
   keepUp(): void;
 }
 
@@ -74,7 +74,7 @@ export class Shell<S extends object, T extends string> {
     requestAnimationFrame(keepUp);
   }
 
-  /** Opens the stage at a moment at which everybody has come to their place; `placed` is called there, before it plays. */
+  /** Opens the stage at a time at which all figures have reached their positions; `placed` is called there, before playback. */
   async open(look: () => void, placed?: () => void): Promise<void> {
     const { player } = this.#app;
     this.draw();
@@ -98,7 +98,7 @@ export class Shell<S extends object, T extends string> {
     render(this.#problems(), problems);
   }
 
-  /** Tells screen readers. */
+  /** Announces a text to screen readers. */
   say(text: string): void {
     this.#places.status.textContent = text;
   }
@@ -146,7 +146,7 @@ export class Shell<S extends object, T extends string> {
   }
 }
 
-/** A line of the text; a long one goes on indented. */
+/** Renders a line of the text; a long one wraps with an indent. */
 function line(text: string): HTMLElement {
   const span = document.createElement('span');
   span.textContent = text;

@@ -1,11 +1,11 @@
 /**
- * EML text as a tree that remembers where everything stands, so that a control can change one
- * value and leave every other character as it was. It reads any text; anything but markup is text.
+ * EML text as a tree with source positions, so that a control can change one value and leave every other character unchanged. It accepts any text; anything
+ * but markup is text.
  */
 
 import { parser } from '@lezer/xml';
 
-/** An attribute and where it stands: `from` to `to` with its quotes, the value between `valueFrom` and `valueTo`. */
+/** Attribute with its source range: `from` to `to` with its quotes, the value between `valueFrom` and `valueTo`. */
 export interface Attribute {
   readonly name: string;
   /** With the five references of XML resolved. */
@@ -16,7 +16,7 @@ export interface Attribute {
   readonly valueTo: number;
 }
 
-/** An element and where it stands. */
+/** Element with its source range. */
 export interface Element {
   readonly name: string;
   readonly attributes: readonly Attribute[];
@@ -27,7 +27,7 @@ export interface Element {
   readonly to: number;
   /** After its start tag. */
   readonly openTo: number;
-  /** Before its end tag; where it has none, the same as `to`. */
+  /** Position before its end tag; equal to `to` if there is none. */
   readonly closeFrom: number;
   /** `<x/>`. */
   readonly empty: boolean;
@@ -37,7 +37,7 @@ type GrowingTree = { -readonly [K in keyof Element]: Element[K] } & { attributes
 
 const REFERENCES: Record<string, string> = { amp: '&', lt: '<', gt: '>', quot: '"', apos: "'" };
 
-/** Deeper than this nothing is nested that means anything; deeper elements become siblings, so that no walk of the tree runs out of stack. */
+/** Maximum nesting depth of the tree; deeper elements, which have no meaning, become siblings, so that tree traversal cannot overflow the stack. */
 const MAX_DEPTH = 200;
 
 /** The elements at the top of a text, as the grammar of the editor finds them in any text. */
@@ -105,7 +105,7 @@ export interface Change {
   readonly insert: string;
 }
 
-/** Puts changes into a text; they lie in its own places, apart from each other. */
+/** Applies changes to a text; they refer to the original positions and must not overlap. */
 export function apply(text: string, changes: readonly Change[]): string {
   const sorted = [...changes].sort((a, b) => b.from - a.from || b.to - a.to);
   return sorted.reduce((now, { from, to, insert }) => now.slice(0, from) + insert + now.slice(to), text);
@@ -113,7 +113,7 @@ export function apply(text: string, changes: readonly Change[]): string {
 
 const escaped = (value: string): string => value.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;').replace(/'/g, '&apos;');
 
-/** Sets an attribute, or takes it away where the value is undefined. */
+/** Sets an attribute, or removes it if the value is undefined. */
 export function setAttribute(element: Element, name: string, value: string | undefined): Change[] {
   const present = element.attributes.find((a) => a.name === name);
   if (present !== undefined) {
@@ -126,14 +126,14 @@ export function setAttribute(element: Element, name: string, value: string | und
   return [{ from: at, to: at, insert: ` ${name}="${escaped(value)}"` }];
 }
 
-/** The white space that the line of a place begins with; undefined when something stands between. */
+/** Returns the white space at the start of a position's line; undefined if other text precedes the position. */
 function indentation(text: string, at: number): string | undefined {
   const line = text.lastIndexOf('\n', at - 1) + 1;
   const before = text.slice(line, at);
   return /^[ \t]*$/.test(before) ? before : undefined;
 }
 
-/** Takes an element away, with its line where it stands alone. */
+/** Removes an element, with its line if nothing else is on it. */
 export function removeElement(text: string, element: Element): Change {
   const indent = indentation(text, element.from);
   const rest = /^[ \t]*\r?\n/.exec(text.slice(element.to))?.[0];

@@ -1,6 +1,6 @@
 /** Tabs and their keys, as the pattern of ARIA has them. */
 
-/** The tab that a key leads to from the one that is chosen; undefined for other keys. */
+/** Returns the tab that a key selects from the current one; undefined for other keys. */
 export function tabAt<T>(key: string, tabs: readonly T[], chosen: T): T | undefined {
   if (key === 'Home') return tabs[0];
   if (key === 'End') return tabs.at(-1);
@@ -8,11 +8,11 @@ export function tabAt<T>(key: string, tabs: readonly T[], chosen: T): T | undefi
   return step === undefined ? undefined : tabs[(tabs.indexOf(chosen) + step + tabs.length) % tabs.length];
 }
 
-/** The tabs that stand in a page or in an element's shadow, by their `data-tab`. */
+/** Tabs of a page or of an element's shadow root, by their `data-tab`. */
 export class Tabs<T extends string> {
   readonly #buttons: readonly HTMLButtonElement[];
 
-  /** `known` says which names there are; `choose` is called with the one that is pressed or walked to. */
+  /** Creates the tabs; `known` validates a name; `choose` is called with the tab that is clicked or reached by key. */
   constructor(known: (name: string) => name is T, choose: (tab: T) => void, root: ParentNode = document) {
     this.#buttons = [...root.querySelectorAll<HTMLButtonElement>('[role="tab"]')];
     const take = (button: HTMLButtonElement | undefined): void => {

@@ -7,7 +7,7 @@ export class UndoStack<S> {
   readonly #initial: string;
   readonly #past: string[] = [];
   readonly #future: string[] = [];
-  /** The state that undo brings back. */
+  /** State restored by undo. */
   #settled: string;
 
   constructor(initial: S) {
@@ -27,7 +27,7 @@ export class UndoStack<S> {
     return this.#settled === this.#initial;
   }
 
-  /** What has changed since the last time is one step; false where nothing has. */
+  /** Records the changes since the last call as one step; false if there are none. */
   settle(state: S): boolean {
     const now = JSON.stringify(state);
     if (now === this.#settled) return false;
@@ -38,7 +38,7 @@ export class UndoStack<S> {
     return true;
   }
 
-  /** The state before the last step; undefined where there is none. */
+  /** Returns the state before the last step; undefined if there is none. */
   undo(): S | undefined {
     return this.#step(this.#past, this.#future);
   }

@@ -1,4 +1,4 @@
-/** What the scripts of the viewer, of the face and of the workshop for gestures have in common. */
+/** Code shared by the viewer, the face page and the gesture workshop. */
 
 import type { RaconteurPlayer } from '../element/element.js';
 
@@ -16,10 +16,10 @@ export function byId(id: string): HTMLElement {
   return element;
 }
 
-/** How long a copy is reported. */
+/** Display time of the copy confirmation, ms. */
 const TOLD_MS = 1800;
 
-/** Copies a text; `tell` hears how it went, and nothing when that is no news any more. */
+/** Copies a text; `tell` receives the outcome, then undefined when the message expires. */
 export function copyText(text: string, tell: (outcome: 'Copied' | 'Select and copy by hand' | undefined) => void): void {
   const told = (outcome: 'Copied' | 'Select and copy by hand') => (): void => {
     tell(outcome);
@@ -28,7 +28,7 @@ export function copyText(text: string, tell: (outcome: 'Copied' | 'Select and co
   navigator.clipboard.writeText(text).then(told('Copied'), told('Select and copy by hand'));
 }
 
-/** The browser has taken a file by then. */
+/** Time after which the browser has saved a file, ms. */
 const TAKEN_MS = 10_000;
 
 /** Hands a file to the visitor. */
@@ -47,7 +47,7 @@ export function saveScript(text: string, otherwise: string): string {
   return name;
 }
 
-/** Connects the keys for undo and redo with the whole page, or with an element's shadow; where `leaves` says so, they keep their own meaning. */
+/** Binds the undo and redo keys to the whole page, or to an element's shadow root; where `leaves` returns true, they keep their native meaning. */
 export function onUndoKeys(undo: () => void, redo: () => void, leaves: (event: KeyboardEvent) => boolean = () => false, root: EventTarget = document): void {
   root.addEventListener('keydown', (event) => {
     if (!(event instanceof KeyboardEvent)) return;

@@ -5,7 +5,7 @@ import type { SpeechSource } from './source.js';
 
 const added: SpeechSource[] = [];
 
-/** Has a source speak in all players of this page, before those that are there, for the languages that it speaks. */
+/** Registers a speech source for all players of this page, before the existing ones, for the languages that it speaks. */
 export function addSpeechSource(source: SpeechSource): void {
   if (!added.includes(source)) added.unshift(source);
 }
@@ -13,5 +13,5 @@ export function addSpeechSource(source: SpeechSource): void {
 /** The added sources, the last first. */
 export const addedSources = (): readonly SpeechSource[] => added;
 
-/** A server that speaks. */
+/** Creates a speech source from a speech server. */
 export const speechServer = async (about: SpeechServer): Promise<SpeechSource> => (await import('./server.js')).server(about);

@@ -1,21 +1,21 @@
-/** Answers that come later, for code that asks, goes on to something else, and asks again. */
+/** Asynchronous answers for synchronous code that asks repeatedly. */
 
-/** Answers are kept for questions that are asked again, because others of their utterance were not answered yet. */
+/** Maximum number of stored answers, for questions repeated because others of their utterance were pending. */
 const MAX_KEPT = 32;
 
 export class DeferredAnswers<Answer> {
   readonly #answers = new Map<string, Answer>();
   #pending: Promise<void> | undefined;
   #failure: { readonly error: unknown } | undefined;
-  /** Ends what is being answered. */
+  /** Controller of the pending answer. */
   #abort = new AbortController();
 
-  /** What is being answered, settled once it is or has failed. */
+  /** Returns a promise that settles when the pending answer succeeds or fails. */
   pending(): Promise<void> | undefined {
     return this.#pending;
   }
 
-  /** The answer to a question; undefined until `make` has it. Throws what failed since it was asked last. */
+  /** Returns the answer to a question; undefined until `make` provides it. Throws errors that occurred since the last call. */
   ask(question: string, make: (signal: AbortSignal) => Promise<Answer>): Answer | undefined {
     const failure = this.#failure;
     this.#failure = undefined;
@@ -26,7 +26,7 @@ export class DeferredAnswers<Answer> {
     return undefined;
   }
 
-  /** What is being answered is not wanted any more; the next question is answered at once. */
+  /** Cancels the pending answer; the next question is handled immediately. */
   forget(): void {
     this.#abort.abort();
     this.#abort = new AbortController();

@@ -1,2 +1,2 @@
-/** Whether a tag of BCP 47 is of English. */
+/** Returns true if a BCP 47 tag is English. */
 export const isEnglish = (language: string): boolean => /^en\b/i.test(language);

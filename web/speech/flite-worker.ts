@@ -1,4 +1,4 @@
-/** Speaks with flite. */
+/** Speech worker with flite. */
 
 import { Flite } from './flite-program.js';
 import { serve } from './serve.js';

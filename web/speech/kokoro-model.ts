@@ -1,4 +1,4 @@
-/** Kokoro-82M, a neural network that speaks phones: runs in a worker, by ONNX Runtime's wasm build. */
+/** Kokoro-82M, a neural network that speaks phones: runs in a worker, with ONNX Runtime's wasm build. */
 
 import * as ort from 'onnxruntime-web/wasm';
 import glueUrl from 'onnxruntime-web/ort-wasm-simd-threaded.mjs?url';
@@ -18,22 +18,22 @@ const FRAMES = '/encoder/Clip_output_0';
 /** More threads than this help little. */
 const THREADS = 2;
 
-/** What was spoken. */
+/** Synthesised speech. */
 export interface ModelOutput {
   /** At `RATE`. */
   readonly samples: Float32Array;
-  /** How long each token lasts, with the pad before and the pad after; all of them together are as long as the sound. */
+  /** Duration of each token, with the padding before and after; their sum is the length of the audio. */
   readonly frames: Float32Array;
 }
 
 export interface Model {
-  /** The styles of a voice, one after another; which is taken depends on how many tokens are spoken (see `styleFor`). */
+  /** Returns the styles of a voice, one after another; the choice depends on the number of tokens (see `styleFor`). */
   voice(name: string): Promise<Float32Array>;
-  /** Speaks tokens of `vocab.json`, without pads. `speed` 1 is the voice's own. */
+  /** Speaks tokens of `vocab.json`, without padding. `speed` 1 is the voice's own. */
   infer(tokens: ArrayLike<number>, style: Float32Array, speed: number): Promise<ModelOutput>;
 }
 
-/** The style of a voice for so many tokens. */
+/** Returns the style of a voice for a number of tokens. */
 export function styleFor(voice: Float32Array, tokens: number): Float32Array {
   const last = voice.length / STYLE - 1;
   const row = Math.min(tokens, last) * STYLE;

@@ -1,4 +1,4 @@
-/** Speaks with Kokoro; the worker's name is the address of its folder. */
+/** Speech worker with Kokoro; the worker's name is the address of its folder. */
 
 import { fetchText } from '../element/base/fetching.js';
 import { Flite } from './flite-program.js';
@@ -9,7 +9,7 @@ import { type Host, serve } from './serve.js';
 /** No table of a voice is larger; the dictionaries have some megabytes. */
 const MAX_TABLE_BYTES = 64e6;
 
-/** Letters of a word; some words have other ones for a part of speech, and at the end of a phrase (`None`). */
+/** Letters of a word, with variants for some words by part of speech, and at the end of a phrase (`None`). */
 type Entry = string | { readonly DEFAULT: string; readonly None?: string };
 
 class Kokoro implements Host {
@@ -69,7 +69,7 @@ class Kokoro implements Host {
     return flite?.run(['-voice', 'slt', '-t', word, '-ps', '-o', 'none'], [], undefined).printed.replace(/\bpau\b/g, ' ');
   }
 
-  /** Letters as sound; undefined until they are spoken. */
+  /** Returns the audio for letters; undefined until it is available. */
   infer(voice: string, letters: string, pace: number): ModelOutput | undefined {
     return this.#spoken.ask(`${voice} ${pace} ${letters}`, () => this.#speak(voice, letters, pace));
   }

@@ -12,7 +12,7 @@ const VOICES: Record<string, string> = { sofia: 'af_heart', amara: 'af_bella', l
 const USUAL = 'af_heart';
 const MAX_LIST_BYTES = 1e6;
 
-/** The voice that lies in a folder, whose address ends with a slash; undefined where none does. Nothing large is fetched yet. */
+/** Returns the voice in a folder, whose address ends with a slash; undefined if there is none. Large files are not fetched yet. */
 export async function kokoro(folder: URL): Promise<SpeechSource | undefined> {
   const list = await fetchText(new URL('voices.json', folder), { what: 'The list of voices', most: MAX_LIST_BYTES }).catch(() => undefined);
   if (list === undefined) return undefined;

@@ -1,9 +1,9 @@
-/** EML as text: what is written here and not by hand. */
+/** EML generation. */
 
 const digits = (n: number): string => String(Number(n.toFixed(4)));
 const escaped = (text: string): string => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
 
-/** A tag from its attributes, those that are undefined left out, and its children, each on lines of its own. Numbers have four decimals at most. */
+/** Returns a tag with its attributes, without undefined ones, and its children on separate lines. Numbers have at most four decimals. */
 export function tag(name: string, attributes: Readonly<Record<string, string | number | boolean | undefined>>, children: readonly string[] = []): string {
   const written = Object.entries(attributes).flatMap(([key, value]) =>
     value === undefined ? [] : ` ${key}="${escaped(typeof value === 'number' ? digits(value) : String(value))}"`,

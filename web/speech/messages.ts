@@ -1,11 +1,11 @@
-/** What a page and the worker that speaks for it tell each other. */
+/** Messages between a page and its speech worker. */
 
 import type { SpeechRequest } from './source.js';
 
-/** To the worker: something to say, or that something is not wanted any more. */
+/** Message to the worker: a text to speak, or a cancellation. */
 export type WorkerRequest = ({ readonly kind: 'speak'; readonly id: number } & SpeechRequest) | { readonly kind: 'stop'; readonly id: number };
 
-/** What was said so far; `Said` of `crate/say`. */
+/** Newly spoken part; `Said` of `crate/say`. */
 export interface Part {
   readonly bundle: string;
   readonly sounds: readonly (readonly [string, Uint8Array])[];

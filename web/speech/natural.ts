@@ -1,4 +1,4 @@
-/** The natural voice that `npm run voice` has put into a folder, whose address ends with a slash; undefined where none lies there. */
+/** Natural voice stored by `npm run voice` in a folder, whose address ends with a slash; undefined if there is none. */
 
 import type { SpeechSource } from './source.js';
 

@@ -1,14 +1,14 @@
-/** The worker's side: the baker's own code finds what to say, and asks an engine for its sound utterance by utterance. */
+/** Worker side: the baker's code finds the text to speak, and requests the audio from an engine utterance by utterance. */
 
 import instantiate from '../pkg/say/raconteur.js';
 import sayUrl from '../pkg/say/raconteur_bg.wasm?url';
 import { fetchBytes, fetchModule, type Fetching, SCRIPT } from '../element/base/fetching.js';
 import type { WorkerRequest, Part, Reply } from './messages.js';
 
-/** So long after a part the next one is sent, ms; what is made sooner goes together. */
+/** Minimum interval between parts, ms; results in between are sent together. */
 const BETWEEN_PARTS_MS = 1200;
 
-/** What is being said; `crate/say`. */
+/** Text being spoken; `crate/say`. */
 interface SpeechJob {
   take(): Part;
   free(): void;
@@ -25,40 +25,40 @@ interface SpeechCommand {
   panicMessage(): string | undefined;
 }
 
-/** What runs an engine for `crate/say`, besides the functions that `hosts.rs` calls. */
+/** Environment of an engine for `crate/say`, in addition to the functions called by `hosts.rs`. */
 export interface Host {
-  /** What was asked for and is not there yet: settled once it is there or has failed. Engines that answer at once have nothing pending. */
+  /** Returns a promise for the pending request that settles when it succeeds or fails. Synchronous engines have nothing pending. */
   pending(): Promise<unknown> | undefined;
-  /** What is pending is not wanted any more. */
+  /** Cancels the pending request. */
   forget?(): void;
 }
 
 const post = (reply: Reply, transfer: Transferable[] = []) => self.postMessage(reply, { transfer });
 
-/** Tells the page how much has come. */
+/** Reports the download progress to the page. */
 export const progress = (share: number): void => post({ kind: 'progress', share });
 
 /** No file of a voice is larger: the models of natural ones have some hundred MB. */
 const MAX_BYTES = 1e9;
 
-/** How a file of a voice is fetched. */
+/** Options for fetching a voice file. */
 export const voiceFile: Fetching = { what: 'The voice', most: MAX_BYTES, progress };
 
-/** Fetches a file and tells how much has come. */
+/** Fetches a file and reports its progress. */
 export async function fetched(url: URL): Promise<Response> {
   return new Response(await fetchBytes(url, voiceFile));
 }
 
-/** Lets messages come in. */
+/** Yields to incoming messages. */
 const breath = (): Promise<void> => new Promise((done) => setTimeout(done));
 
-/** Speaks with an engine of `crate/say`, which `open` fetches with the first text. */
+/** Speaks with an engine of `crate/say`, which `open` fetches at the first text. */
 export function serve(engine: string, open: () => Promise<Host>): void {
   let opening: Promise<{ say: SpeechCommand; host: Host }> | undefined;
   let say: SpeechCommand | undefined;
   const speakers = new Map<string, Speaker>();
   const stopped = new Set<number>();
-  /** Ends the wait of what is being said. */
+  /** Ends the wait of the current text. */
   let stop: (() => void) | undefined;
   let last: Promise<void> = Promise.resolve();
 

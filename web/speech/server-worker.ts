@@ -1,4 +1,4 @@
-/** Speaks by a server; the worker's name tells where that is and which voices it has. */
+/** Speech worker with a server; the worker's name contains its address and voices. */
 
 import { fetchText } from '../element/base/fetching.js';
 import { DeferredAnswers } from './deferred-answers.js';
@@ -10,7 +10,7 @@ interface Answer {
   readonly times: string;
 }
 
-/** A server that sends nothing for so long, while it speaks, will not answer, ms. */
+/** Timeout of a server that sends no data while it speaks, ms. */
 const PATIENCE_MS = 30_000;
 /** No answer is larger: a sentence of several minutes as plain samples. */
 const MAX_BYTES = 64e6;
@@ -33,7 +33,7 @@ class Server implements Host {
     return this.#answers.pending();
   }
 
-  /** What the server says to a request; undefined until it answers. */
+  /** Returns the server's answer to a request; undefined until it arrives. */
   ask(request: string): Answer | undefined {
     return this.#answers.ask(request, (signal) => this.#post(request, signal));
   }

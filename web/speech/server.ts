@@ -1,4 +1,4 @@
-/** A server that speaks, which the page's owner names (docs/voices.md, “A server”). */
+/** Speech server chosen by the page's owner (docs/voices.md, “A server”). */
 
 import type { SpeechSource } from './source.js';
 import workerUrl from './server-worker.ts?worker&url';
@@ -11,7 +11,7 @@ export interface ServerVoice {
   /** A tag of BCP 47. */
   readonly language: string;
   readonly gender?: 'female' | 'male';
-  /** What its phones are of, where the times do not tell: `radio`, `mrpa`, `sampa`, `espeak`, … */
+  /** Phone set, if the times do not specify it: `radio`, `mrpa`, `sampa`, `espeak`, … */
   readonly phoneSet?: string;
 }
 

@@ -1,32 +1,32 @@
-/** What speaks text that has no recording. */
+/** Interface of sources that speak text without a recording. */
 
-/** What is to be said. */
+/** Speech request. */
 export interface SpeechRequest {
   /** A script, or a list of clauses. */
   readonly eml: string;
   readonly fragment?: boolean;
-  /** The text of the bundle that the script has; what it holds is not said again. */
+  /** Text of the script's existing bundle; its contents are not spoken again. */
   readonly known?: string | undefined;
   /** Name of a voice of the source. */
   readonly voice: string;
 }
 
-/** What was said so far. */
+/** Newly spoken part. */
 export interface SpokenAudio {
-  /** The text of a bundle, `speech.json`: words, phones, stress, melody; what was known as well. */
+  /** Text of a bundle, `speech.json`: words, phones, stress, intonation; including known contents. */
   readonly bundle: string;
   /** The sounds that the bundle names and that are new since the last part, as WAV. */
   readonly sounds: ReadonlyMap<string, Uint8Array>;
-  /** What could not be said since the last part, in sentences. */
+  /** Messages about failures since the last part, in sentences. */
   readonly problems: readonly string[];
 }
 
-/** Where it is said and how to end it. */
+/** Receiver of the results, and a way to cancel. */
 export interface SpeechJob {
   readonly signal: AbortSignal;
-  /** Hears how much of what is needed first is fetched, 0 to 1. */
+  /** Called with the fetched share of the initially required data, 0 to 1. */
   readonly progress: (share: number) => void;
-  /** Takes each part, of one or more whole utterances in their order, as soon as it is made. */
+  /** Called with each part, of one or more complete utterances in order, as soon as it is made. */
   readonly take: (said: SpokenAudio) => void;
 }
 
@@ -34,17 +34,20 @@ export interface SpeechJob {
 export interface SpeechSource {
   /** For people. */
   readonly name: string;
-  /** What kind of voice it is and whose, in a short sentence for people. */
+  /** Short description of the voice for people: its type and origin. */
   readonly about: string;
   /** An expression of SPDX. */
   readonly license: string;
-  /** Whether what it needs is here, so that speech comes at once. */
+  /** True if all required data is loaded, so that speech starts immediately. */
   readonly ready: boolean;
-  /** Whether it speaks a language, a tag of BCP 47. */
+  /** Returns true if it speaks a language, a BCP 47 tag. */
   speaks(language: string): boolean;
   /** The voice of a figure of the library, in a language; of another name, a usual one. */
   voiceOf(figure: string, language: string): string;
-  /** Over when all is said. Rejects with the signal's reason when it is aborted, and with an `Error` that says in a sentence why nothing can be said. */
+  /**
+   * Speaks a request; resolves when everything is spoken. Rejects with the signal's reason on abort, and with an `Error` with a readable sentence if nothing
+   * can be spoken.
+   */
   speak(request: SpeechRequest, saying: SpeechJob): Promise<void>;
 }
 

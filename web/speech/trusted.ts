@@ -1,4 +1,4 @@
-/** What a page with trusted types lets become a script: files beside this one. */
+/** Scripts allowed by a page with trusted types: files next to this one. */
 
 import { common } from '../element/base/common.js';
 import { placeOf, SCRIPT, spare } from '../element/base/fetching.js';
@@ -11,7 +11,7 @@ interface TrustedTypes {
   createPolicy(name: string, rules: Rules): { createScriptURL(address: string): unknown };
 }
 
-/** Where the files of the player and of packages of voices come from. */
+/** Origins of the files of the player and of voice packages. */
 const origins = common('origins', () => new Set<string>());
 
 const { trustedTypes } = globalThis as { trustedTypes?: TrustedTypes };
@@ -24,7 +24,7 @@ const rules: Rules = {
   },
 };
 
-/** A worker's name, and the folder of the library where its file may lie. */
+/** Name of a worker, and the library folder that may contain its file. */
 interface WorkerLocation {
   readonly name?: string;
   readonly folder?: string;
@@ -39,13 +39,13 @@ export async function openWorker(address: string, { name = '', folder }: WorkerL
   return new Worker((policy?.createScriptURL(href) ?? href) as string, { type: 'module', name });
 }
 
-/** Browsers start workers from the page's own origin alone; a file of another one is imported by a worker of the page's. */
+/** Returns a worker URL: browsers start workers only from the page's own origin; a file of another one is imported by a worker of the page. */
 function startOf({ href, origin }: URL): string {
   if (origin === globalThis.location.origin) return href;
   return URL.createObjectURL(new Blob([`import ${JSON.stringify(href)};`], { type: 'text/javascript' }));
 }
 
-/** Within a worker: has plain addresses of such files trusted, for code that knows no trusted types. False where the page's policy does not allow that. */
+/** Allows plain URLs of such files inside a worker, for code without support for trusted types. Returns false if the page's policy forbids that. */
 export function trustOwnScripts(): boolean {
   try {
     trustedTypes?.createPolicy('default', rules);

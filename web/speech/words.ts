@@ -1,4 +1,4 @@
-/** What a box for one's own words says before anything is written there. */
+/** Placeholders of an empty text box for the user's own words. */
 export const INVITATIONS: Record<string, string> = {
   en: 'Hello there! Shall I tell you a secret? :)',
   de: 'Hallo! Soll ich dir ein Geheimnis verraten? :)',

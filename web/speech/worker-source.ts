@@ -1,12 +1,12 @@
-/** An engine that speaks in a worker of the page. */
+/** Engine that speaks in a worker of the page. */
 
 import type { WorkerRequest, Reply } from './messages.js';
 import type { SpeechJob, SpeechRequest, SpeechSource } from './source.js';
 
-/** No utterance takes longer; a worker that does hangs. What is needed first is fetched meanwhile, and its progress counts as a sign of life. */
+/** Time limit of an utterance; a slower worker counts as hung. The initial data is fetched meanwhile, and its progress restarts the timer. */
 const PATIENCE_MS = 60_000;
 
-/** The engine: what it is, what it speaks, and its worker. */
+/** Engine: its description, its languages, and its worker. */
 export interface Engine extends Pick<SpeechSource, 'name' | 'about' | 'license' | 'speaks' | 'voiceOf'> {
   worker(): Promise<Worker>;
 }
@@ -68,7 +68,7 @@ export class WorkerSource implements SpeechSource {
     }
   }
 
-  /** Each sign of life gives all that wait as long again. */
+  /** Restarts the timer of all pending requests at each sign of life. */
   #wait(): void {
     for (const waiting of this.#waiting.values()) {
       clearTimeout(waiting.timer);

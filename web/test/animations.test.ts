@@ -39,7 +39,7 @@ function engine(...names: string[]) {
   return { engine: made as unknown as Engine, given };
 }
 
-/** What the server has, by file name; a promise comes when it likes. */
+/** Files of the fake server, by name; promises control the time of arrival. */
 const server = new Map<string, Response | Promise<Response>>();
 const requests: string[] = [];
 vi.stubGlobal('fetch', (url: URL, { signal }: RequestInit) => {

@@ -19,14 +19,14 @@ test('browsers that know neither figure are taken as immediate', () => {
   expect(latency({ outputLatency: unknown, baseLatency: unknown })).toBe(0);
 });
 
-/** What a sound was told: when it starts, fades and stops. */
+/** Recorded calls of a sound: start, fades and stop. */
 interface Sound {
   start?: number;
   stop?: number;
   fades: { at: number; constant: number }[];
 }
 
-/** A browser with a clock that stands, in which every sound takes 3 s; the sounds that were planned. */
+/** Creates a fake browser with a stopped clock, in which every sound takes 3 s; returns the scheduled sounds. */
 function browser(): Sound[] {
   const sounds: Sound[] = [];
   class FakeContext {

@@ -1,13 +1,13 @@
-/** An instance of the engine, for what reads the same in both builds. */
+/** Instance of the engine, for tests that read the same in both builds. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { kind } from './tier.js';
 
-/** A busy machine takes its time to compile a build. */
+/** Timeout for compiling a build on a busy machine. */
 export const COMPILE_MS = 60_000;
 
-/** As much of the JavaScript side of a build as is asked for. */
+/** Opens the required part of the JavaScript side of a build. */
 export async function openBuild<Functions>(): Promise<Functions> {
   const folder = join(import.meta.dirname, '../..', kind.folder, 'webgl');
   const { default: instantiate } = (await import(join(folder, 'raconteur.js'))) as { default: () => unknown };

@@ -13,7 +13,7 @@ function say(text: string, startSecs = 0): Utterance {
   return { startSecs, durationSecs: words.length * 0.5, audio: [], words, estimated: false };
 }
 
-/** Captions with their lines, parted by a bar. */
+/** Returns captions with their lines, separated by a bar. */
 const shown = (utterance: Utterance, language = 'en') =>
   captionsOf([utterance], language).map(({ words, second }) =>
     [words.slice(0, second), words.slice(second)].map((line) => line.map((w) => w.text).join(' ')).filter((line) => line !== ''),

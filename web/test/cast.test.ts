@@ -1,4 +1,4 @@
-/** Who performs: the story's choice, and who does where it cannot be had. */
+/** Choice of the performer: the story's choice, and the fallback if it is unavailable. */
 
 import { beforeEach, expect, test, vi } from 'vitest';
 import { PlayerError, type Diagnostic } from '../element/base/types.js';

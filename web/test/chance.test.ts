@@ -1,4 +1,4 @@
-/** What is by chance for a learner: the order of options, and what is drawn of pools. */
+/** Randomness per learner: the order of options, and the items drawn from pools. */
 
 import { describe, expect, it } from 'vitest';
 import { shuffled } from '../element/lesson/chance.js';
@@ -72,7 +72,7 @@ function lesson(count: number, seed?: number): Lesson {
   return made;
 }
 
-/** What is asked on the way to the end, and the times that are shown. */
+/** Returns the questions on the way to the end, and the shown times. */
 function play(l: Lesson): { asked: string[]; shown: number[] } {
   const [asked, shown]: [string[], number[]] = [[], []];
   let secs = 0;

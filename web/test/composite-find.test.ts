@@ -1,4 +1,4 @@
-/** What is looked for by plain words is found. The queries were written before the table of words. */
+/** Searches with plain words find their targets. The queries were written before the word table. */
 
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
@@ -21,7 +21,7 @@ const index = indexOf(attributes());
 const first = (typed: string): string | undefined => search(index, typed)[0]?.thing;
 const all = (typed: string): string[] => search(index, typed).map(({ thing }: FinderMatch) => thing);
 
-/** What somebody who has never seen the editor types, and what is meant. */
+/** Queries by someone who has never seen the editor, and the intended result. */
 const MEANT: readonly (readonly [typed: string, thing: string])[] = [
   ['friendly', 'feature smiling'],
   ['moustache', 'beard moustache'],

@@ -1,4 +1,4 @@
-/** What is taken away of a face: the report's content, the film's turns, the small pictures that are kept, the size of a print. */
+/** Data exported from a face: the contents of the report, the rotations of the film, the stored thumbnails, the size of a print. */
 
 import { inflateSync } from 'node:zlib';
 import { expect, test } from 'vitest';

@@ -1,4 +1,4 @@
-/** The composite editor's history: what was done is never lost, and what is read is checked. */
+/** History of the composite editor: actions are never lost, and input is validated. */
 
 import { expect, test } from 'vitest';
 import type { Act } from '../composite/acts.js';

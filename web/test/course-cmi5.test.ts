@@ -1,4 +1,4 @@
-/** What cmi5 demands of a course in its launch and in its session: a test for each row of the table in docs/courses.md. */
+/** Requirements of cmi5 for a course's launch and session: a test for each row of the table in docs/courses.md. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ const DOCS = readFileSync(join(import.meta.dirname, '../../docs/courses.md'), 'u
 const MASTERY = 'https://w3id.org/xapi/cmi5/context/extensions/masteryscore';
 
 let store: FakeStore;
-/** What was asked for, in order. */
+/** Requests in order. */
 let asked: { readonly method: string; readonly url: URL; readonly headers: { readonly [name: string]: string } }[];
 
 beforeEach(() => {
@@ -33,7 +33,7 @@ const told = (): SentStatement[] => store.statements as unknown as SentStatement
 const judged = (points: number, isPassed: boolean): Report => ({ ...report(57, true), score: { points, most: 10 }, isSettled: true, isPassed });
 const categories = (it: SentStatement): string[] => (it.context.contextActivities['category'] ?? []).map(({ id }) => id.split('/').at(-1) ?? '');
 
-/** A session in which somebody does all that can be told. */
+/** Runs a session with every possible report. */
 async function session(more: object = {}, reports: readonly Report[] = [judged(8, true)], mode = 'Normal'): Promise<XapiRecord> {
   prepare(store, mode, more);
   store.tokens = 0;

@@ -1,4 +1,4 @@
-/** A player without pictures, whose time passes when a test says so, with the questions of a story; and who uses it. */
+/** Player without rendering and with a manual clock, with the questions of a story; and its user. */
 
 import { setMaxListeners } from 'node:events';
 import type { RaconteurPlayer } from '../element/element.js';
@@ -20,7 +20,7 @@ export class FakePlayer extends EventTarget {
   questions: readonly Question[] = [];
   #spans: Span[] = [];
 
-  /** For what takes the real one. */
+  /** Player for functions that require the real type. */
   get real(): RaconteurPlayer {
     return this as unknown as RaconteurPlayer;
   }

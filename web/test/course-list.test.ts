@@ -1,4 +1,4 @@
-/** The list of lessons of a site, as the browser has kept how far each is. */
+/** List of lessons of a site, with the progress stored by the browser. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,4 +1,4 @@
-/** Nothing of a learner is lost, whatever systems and browsers do: kills, reloads, no network, refusals. */
+/** No learner data is lost, whatever systems and browsers do: kills, reloads, no network, refusals. */
 
 import { Scorm12API, Scorm2004API } from 'scorm-again';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
@@ -38,14 +38,14 @@ const QUESTIONS: readonly Question[] = Array.from({ length: 6 }, (_, i) => ({
 }));
 const MAX_POINTS = QUESTIONS.reduce((sum, { points }) => sum + points, 0);
 
-/** A system: its record in each page, what it does wrong, and what it has of the learner. */
+/** Learning system: its record in each page, its faults, and its data about the learner. */
 interface World {
   open(kept: Shelf): Record;
-  /** Does wrong what chance wants, or all right. */
+  /** Injects a random fault, or none. */
   trouble(next: Next | undefined): void;
-  /** The page is gone without a word: what was on its way may be lost. */
+  /** Terminates the page without notice: pending data may be lost. */
   kill(): void;
-  /** Points that it has, and how many answers. */
+  /** Returns its points, and the number of answers. */
   score(): number;
   replies(): number;
 }
@@ -154,7 +154,7 @@ const WORLDS: { readonly [name: string]: () => World } = {
   'a plain site': browser,
 };
 
-/** One page that a learner opens: what they answer, and how it ends. Gives how many answers they gave. */
+/** Simulates one page visit of a learner: the answers, and the ending. Returns the number of answers. */
 async function visit(next: Next, world: World, kept: Shelf, truth: Map<string, number>, isLast: boolean): Promise<number> {
   const listeners = new EventTarget();
   vi.stubGlobal('document', Object.assign(new EventTarget(), { hidden: false }));

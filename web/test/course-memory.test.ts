@@ -1,4 +1,4 @@
-/** The text that brings learners back: what it keeps, whatever room a system has for it. */
+/** Text that restores learners' progress: its contents for every storage limit of a system. */
 
 import { describe, expect, it } from 'vitest';
 import { joined, NOTHING, readMemory, writeMemory, type Memory, type Remembered } from '../course/memory.js';

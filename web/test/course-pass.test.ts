@@ -1,4 +1,4 @@
-/** Who passes and who fails, as the course tells it. */
+/** Passing and failing, as reported by the course. */
 
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { Course } from '../course/course.js';
@@ -24,10 +24,10 @@ const question = (name: string, atSecs: number): Question => ({
   answers: [],
 });
 
-/** What follows from an answer does not matter here. */
+/** Continuation of an answer, irrelevant here. */
 const NONE = { fits: [] };
 
-/** A player that has been seen nearly to the end, with as many questions as points. */
+/** Player that has been watched nearly to the end, with as many questions as points. */
 class Seen extends EventTarget {
   readonly readyState = 4;
   readonly duration = 60;
@@ -61,7 +61,7 @@ class Seen extends EventTarget {
   }
 }
 
-/** What was told, in order. */
+/** Reports in order. */
 class HeardEvent implements Record {
   readonly troubles = new StorageProblems();
   readonly heard: (boolean | undefined | string)[] = [];

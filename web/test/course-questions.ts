@@ -28,7 +28,7 @@ export function randomText(next: Next): string {
   return Array.from({ length: count }, () => oneOf(next, next() < 0.5 ? PIECES : MORE)).join('');
 }
 
-/** Names, not all of them identifiers, of which some look like those that stand for others. */
+/** Returns random names, not all of them identifiers, some similar to placeholders. */
 function randomName(next: Next, index: number): string {
   const kind = next();
   if (kind < 0.7) return `name${index}`;
@@ -102,7 +102,7 @@ export function randomReply(next: Next, question: Question): Reply {
   return { question, answered, atMs: Date.now(), latencyMs: 1e6 * next() };
 }
 
-/** A text without what formats may do to it: spaces, control characters, halves of characters, and commas that became semicolons. */
+/** Returns a text without parts that formats may change: spaces, control characters, surrogate halves, and commas that became semicolons. */
 export const squashed = (text: string): string =>
   text
     .slice(0, 20_000)

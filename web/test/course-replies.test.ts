@@ -1,4 +1,4 @@
-/** Answers to questions of all kinds, as systems with SCORM that others have made take them. */
+/** Answers to questions of all kinds, as accepted by third-party SCORM systems. */
 
 import { Scorm12API, Scorm2004API } from 'scorm-again';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
@@ -28,7 +28,7 @@ const SYSTEMS = [
 ] as const;
 type System = (typeof SYSTEMS)[number];
 
-/** A session with a system; `faults` is what it did not take. */
+/** Runs a session with a system; `faults` are its rejections. */
 async function session({ version, object, prefix, open }: System): Promise<{ record: Scorm; api: Api; faults: string[] }> {
   const api = open() as unknown as Api;
   const faults: string[] = [];
@@ -70,14 +70,14 @@ const reportOf = (replies: readonly Reply[], questions: readonly Question[]): Re
 const SIGNS = 'abcdefghijklmnopqrstuvwxyz0123456789';
 const TARGETS = '1234567890abcdefghijklmnopqrstuvwxyz';
 
-/** The place of an option by what stands for it. */
+/** Returns the index of an option by its identifier. */
 function placeOf({ options }: Question, told: string, signs: string | undefined): number {
   if (signs !== undefined) return signs.indexOf(told);
   const place = /^option-(\d+)$/.exec(told)?.[1];
   return place === undefined ? options.findIndex(({ name }) => name === told) : Number(place) - 1;
 }
 
-/** What a system holds means what was answered. */
+/** Checks that the stored response means the given answer. */
 function expectHeld({ question, answered: { given } }: Reply, told: string, system: System): void {
   const { kind, options } = question;
   const is12 = system.version === SCORM_12;
@@ -134,7 +134,7 @@ for (const system of SYSTEMS) {
 }
 
 const option = (name: string, more: Partial<QuestionOption> = {}): QuestionOption => ({ name, text: name, isRight: true, ...more });
-/** What follows from an answer does not matter here. */
+/** Continuation of an answer, irrelevant here. */
 const NONE = { fits: [] };
 const replyTo = (kind: QuestionKind, options: readonly QuestionOption[], given: readonly string[]): Reply => ({
   question: { order: 0, name: 'q', kind, atSecs: 0, endSecs: 1, prompt: 'What?', points: 1, tries: 1, options, answers: [] },
@@ -142,7 +142,7 @@ const replyTo = (kind: QuestionKind, options: readonly QuestionOption[], given: 
   atMs: 0,
   latencyMs: 0,
 });
-/** Type, response, and what is right. */
+/** Returns type, response, and the correct response. */
 function told(elements: Elements): [string | undefined, string | undefined, string[]] {
   const value = (end: RegExp) => elements.filter(([element]) => end.test(element)).map(([, text]) => text);
   return [value(/\.type$/)[0], value(/_response$/)[0], value(/pattern$/)];

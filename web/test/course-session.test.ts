@@ -1,4 +1,4 @@
-/** A learner's session: what is done before the system answers, new attempts, the last score, and copies where systems lose something. */
+/** Session of a learner: actions before the system answers, new attempts, the last score, and copies for systems that lose data. */
 
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { Course } from '../course/course.js';
@@ -51,7 +51,7 @@ function playerWith(questions: readonly Question[] = QUESTIONS): FakePlayer {
   return player;
 }
 
-/** A system of SCORM 1.2 that keeps what it takes. */
+/** Returns a SCORM 1.2 system that stores accepted values. */
 function system(values = new Map<string, string>(), learner = '7') {
   const api = {
     LMSInitialize: () => 'true',
@@ -356,7 +356,7 @@ it('a system that begins its session late has all that was done before', async (
   expect([troubles.at(-1), record.troubles.isKept, values.get('cmi.core.score.raw'), values.get('cmi.interactions.0.result')]).toEqual([undefined, true, '1', 'correct']);
 });
 
-/** Two pages of one browser: each hears what the other keeps. */
+/** Returns two pages of one browser: each receives the other's storage events. */
 function tabs() {
   const values = new Map<string, string>();
   const pages: EventTarget[] = [];

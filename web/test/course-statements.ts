@@ -1,4 +1,4 @@
-/** What the standards want of statements: xAPI 1.0.3 (Data, 2.4), the video profile, and cmi5 (9). For tests. */
+/** Requirements of the standards for statements: xAPI 1.0.3 (Data, 2.4), the video profile, and cmi5 (9). For tests. */
 
 type Json = { readonly [part: string]: unknown };
 interface Component {
@@ -26,7 +26,7 @@ const VIDEO = 'https://w3id.org/xapi/video';
 
 export const verbOf = ({ verb }: SentStatement): string => verb.id.split('/').at(-1) ?? '';
 
-/** Whether a text is a response of a type to what a definition has. */
+/** Returns true if a text is a valid response for a definition. */
 function isResponse(definition: Json, text: string, isPattern: boolean): boolean {
   const ids = (name: string): string[] => ((definition[name] ?? []) as Component[]).map(({ id }) => id);
   const parts = text.split('[,]');
@@ -77,7 +77,7 @@ function faultsOfQuestion({ object: { definition }, result = {}, context }: Sent
   return Object.keys(isFaulty).filter((what) => isFaulty[what]);
 }
 
-/** What results of verbs must and must not hold (cmi5, 9.5), also without cmi5. */
+/** Returns faults in the results of verbs (cmi5, 9.5), also checked without cmi5. */
 function faultsOfCourse(told: SentStatement, isCmi5: boolean): string[] {
   const { result = {}, context } = told;
   const verb = verbOf(told);
@@ -98,7 +98,7 @@ function faultsOfCourse(told: SentStatement, isCmi5: boolean): string[] {
   return Object.keys(isFaulty).filter((what) => isFaulty[what]);
 }
 
-/** What is wrong with a statement, in words. */
+/** Returns the faults of a statement, in words. */
 export function faultsOf(told: SentStatement, isCmi5: boolean): string[] {
   const { id, timestamp, actor, object, result, context } = told;
   const addresses = [told.verb.id, object.id, String(object.definition['type']), ...Object.values(context.contextActivities).flatMap((list) => list.map((it) => it.id))];
@@ -119,7 +119,7 @@ export function faultsOf(told: SentStatement, isCmi5: boolean): string[] {
   return [...Object.keys(isFaulty).filter((what) => isFaulty[what]), ...(score === undefined ? [] : faultsOfScore(score)), ...more].map((fault) => `${verbOf(told)}: ${fault}`);
 }
 
-/** What is wrong with the order of what was said in a registration. */
+/** Returns the faults in the order of a registration's statements. */
 export function faultsOfOrder(all: readonly SentStatement[], isCmi5: boolean): string[] {
   const sessionOf = ({ context }: SentStatement) => context.extensions[`${VIDEO}/extensions/session-id`];
   const sessions = [...new Set(all.map(sessionOf))].map((session) => all.filter((it) => sessionOf(it) === session));

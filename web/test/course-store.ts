@@ -6,17 +6,17 @@ import type { Report } from '../course/report.js';
 import type { Shelf } from '../course/shelf.js';
 import { VERBS } from '../course/statements.js';
 
-/** A store of records that takes what the standard lets it take, and can be away. */
+/** Record store that accepts what the standard allows, and can be unavailable. */
 export class FakeStore {
   readonly statements: { id: string; verb: { id: string }; timestamp: string; [part: string]: unknown }[] = [];
   readonly states = new Map<string, string>();
   readonly profiles = new Map<string, string>();
   isAway = false;
-  /** The answer to what it has taken is lost. */
+  /** True if responses to accepted requests are lost. */
   losesAnswers = false;
   tokens = 0;
   readonly faults: string[] = [];
-  /** What it answers instead, where that is anything: to statements by their ids as well. */
+  /** Alternative status, if defined: for statements also by their ids. */
   status: (method: string, resource: string, ids: readonly string[]) => number | undefined = () => undefined;
 
   readonly fetch = async (address: string | URL, { method = 'GET', headers = {}, body }: RequestInit = {}): Promise<Response> => {
@@ -72,7 +72,7 @@ export const launchOf = (isCmi5: boolean): string => {
   return `https://a.example/index.html?${new URLSearchParams(asked)}`;
 };
 
-/** Says how a cmi5 course is to be opened. */
+/** Configures the launch of a cmi5 course. */
 export const prepare = (store: FakeStore, launchMode: string, more: object = {}): void => {
   const data = {
     contextTemplate: { contextActivities: { grouping: [{ id: 'https://a.example/publisher' }] }, extensions: { [SESSION_ID]: 's1' } },
@@ -87,7 +87,7 @@ export const shelf = (values = new Map<string, string>()): Shelf & { readonly va
   return { values, getItem: (key) => values.get(key) ?? null, setItem: (key, value) => void values.set(key, value), removeItem: (key) => void values.delete(key) };
 };
 
-/** What a learner at a place has of a course. */
+/** Returns the memory of a learner at a position of a course. */
 export const memoryAt = (placeSecs: number): Memory => ({ ...NOTHING, session: 1, placeSecs, seen: placeSecs > 0 ? [[0, placeSecs]] : [] });
 
 export const report = (placeSecs: number, isComplete = false): Report => ({
@@ -102,7 +102,7 @@ export const report = (placeSecs: number, isComplete = false): Report => ({
   isPassed: undefined,
 });
 export const verbs = (store: FakeStore): string[] => store.statements.map(({ verb }) => Object.entries(VERBS).find(([, id]) => id === verb.id)?.[0] ?? verb.id);
-/** What is on its way has come; with the clock of tests what is said together is sent. */
+/** Resolves when pending requests have arrived; with fake timers, batched statements are sent. */
 export const settled = async (): Promise<void> => {
   for (let i = 0; i < 60; i++) await Promise.resolve();
   if (!vi.isFakeTimers()) return;

@@ -1,4 +1,4 @@
-/** Answers, and who passes and who fails, as a record store gets them. */
+/** Answers, passing and failing, as received by a record store. */
 
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { questionId } from '../course/answered.js';
@@ -35,14 +35,14 @@ const judged = (points: number, isPassed: boolean | undefined, isComplete = true
   isPassed,
 });
 const option = (name: string, more: Partial<QuestionOption> = {}): QuestionOption => ({ name, text: `Text ${name}`, isRight: true, ...more });
-/** What follows from an answer does not matter here. */
+/** Continuation of an answer, irrelevant here. */
 const NONE = { fits: [] };
 const replyTo = (kind: QuestionKind, options: readonly QuestionOption[], given: readonly string[]): Reply => {
   const question: Question = { order: 0, name: 'who sang?', kind, atSecs: 0, endSecs: 1, prompt: 'Who?', points: 2, tries: 1, options, answers: [] };
   return { question, answered: { ...NONE, name: question.name, given, isRight: true, points: 2, tries: 1, isFinal: true }, atMs: Date.now(), latencyMs: 1500 };
 };
 
-/** One visit of a learner: what was said, in order. */
+/** Runs one visit of a learner; returns the replies in order. */
 async function visit(next: Next, record: XapiRecord, questions: readonly Question[]): Promise<Reply[]> {
   const replies: Reply[] = [];
   let points = 0;

@@ -12,7 +12,7 @@ import { FakePlayer } from './course-learner.js';
 import { random } from './course-questions.js';
 import { sized } from './tier.js';
 
-/** The page around the course: what it listens to, and the window in which the system is looked for. */
+/** Page around the course: its event target, and the window in which the system is searched. */
 let page: EventTarget & { hidden: boolean };
 
 beforeEach(() => {
@@ -26,10 +26,10 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** What the text that brings learners back may lose of what they saw: hundredths of a second at the ends of spans. */
+/** Maximum loss of watched time in the text that restores learners' progress: hundredths of a second at the ends of spans. */
 const MISSED = 0.005;
 
-/** The two versions, each with the system that others have made. */
+/** Both versions, each with a third-party system. */
 const SYSTEMS = [
   { name: 'SCORM 1.2', version: SCORM_12, object: 'API', open: () => new Scorm12API({ autocommit: false, logLevel: 5 }), status: 'cmi.core.lesson_status', get: 'LMSGetValue' },
   {
@@ -53,7 +53,7 @@ function windowWith(object: string, api: Api): Window {
   return { parent: middle } as unknown as Window;
 }
 
-/** A session in a new page; `before` is what the system has kept. */
+/** Runs a session in a new page; `before` is the data stored by the system. */
 async function session(system: System, before: object | undefined, player = new FakePlayer()): Promise<{ api: Api; player: FakePlayer; course: Course }> {
   const api = system.open() as unknown as Api;
   if (before !== undefined) api.loadFromJSON(before, '');

@@ -1,4 +1,4 @@
-/** Points of answers that are right in part, and what is read of answers. */
+/** Points of partly correct answers, and the feedback on answers. */
 
 import { describe, expect, it } from 'vitest';
 import { pointsOf } from '../element/lesson/credit.js';

@@ -7,13 +7,13 @@ import { describe, expect, test } from 'vitest';
 import { unpacked } from './unpacked.js';
 
 const folder = join(import.meta.dirname, '../../assets/figures');
-/** What a figure may weigh, bytes: some 0.4 MB of it are a skin's pictures and 0.1 MB levels of detail. */
+/** Maximum size of a figure, bytes: about 0.4 MB of it are skin textures and 0.1 MB levels of detail. */
 const MAX_BYTES = 2_400_000;
 /** Triangles of a figure at most. */
 const MAX_TRIANGLES = 150_000;
 const MAX_DRAW_CALLS = 20;
 
-/** What the validator finds wrong, and what it counts. */
+/** Returns the validator's findings and statistics. */
 async function judge(name: string, bytes: Uint8Array) {
   const { issues, info } = await validateBytes(bytes, { uri: name, maxIssues: 100 });
   const told = issues.messages.map((m) => `${['error', 'warning', 'info', 'hint'][m.severity]} ${m.code} ${m.pointer ?? ''}: ${m.message}`);

@@ -5,7 +5,7 @@ import { expect, it } from 'vitest';
 
 const root = join(import.meta.dirname, '../..');
 
-/** What is shipped: tests and tools may know everything. */
+/** Returns true for shipped files: tests and tools may depend on everything. */
 const shipped = (file: string): boolean => !/^web\/(?:test|tools|package)\//.test(file);
 
 /** Folders of TypeScript by the folders that their files import from, for types, too. */
@@ -23,7 +23,7 @@ function importsOf(files: readonly string[], read: (file: string) => string): Ma
   return out;
 }
 
-/** The folders that lie on a circle of imports. */
+/** Returns the folders in import cycles. */
 function circling(imports: ReadonlyMap<string, ReadonlySet<string>>): string[] {
   const reached = (from: string): Set<string> => {
     const seen = new Set<string>();

@@ -1,4 +1,4 @@
-/** Palms, courses and the camera of the pages, against what the engine does. */
+/** Palms, timing curves and camera of the pages, compared with the engine. */
 
 import { expect, test } from 'vitest';
 import type { PalmFunctions } from '../element/engine/backend.js';

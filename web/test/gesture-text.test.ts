@@ -1,4 +1,4 @@
-/** The text of a gesture as a form sees it, and what the form changes in it. */
+/** Text of a gesture as seen by a form, and the form's changes to it. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -91,7 +91,7 @@ test('times are those of the player: sequences, groups, names, repetitions; spee
   expect([parseSecs('2'), parseSecs('.5s'), parseSecs('1m'), parseSecs('a'), parseSecs('1 2')]).toEqual([2, 0.5, 60, undefined, undefined]);
 });
 
-/** What a change makes of a text; the text but for the lines in question is to stay. */
+/** Applies a change to a text; everything but the affected lines must stay. */
 function changed(text: string, make: (g: Gesture) => readonly Change[]): string {
   return apply(text, make(gesture(text)));
 }

@@ -1,4 +1,4 @@
-/** The package brings no types; these are the parts that are used. */
+/** Types of the parts of the package that are used; the package has none. */
 declare module 'gltf-validator' {
   interface Message {
     readonly code: string;

@@ -1,4 +1,4 @@
-/** The clock of a figure that waits: it runs slowly, only where it is seen, and spares slow devices. */
+/** Clock of a waiting figure: it runs slowly, only while visible, and spares slow devices. */
 
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { IdleClock } from '../element/story/idle-clock.js';
@@ -8,7 +8,7 @@ let last = 0;
 let now = 0;
 let reduced = false;
 let drawn: number[] = [];
-/** What a picture takes, milliseconds. */
+/** Cost of a frame, milliseconds. */
 let cost = 0;
 let welcome: IdleClock;
 
@@ -28,7 +28,7 @@ beforeEach(() => {
 
 afterEach(() => vi.unstubAllGlobals());
 
-/** Lets a screen of 60 pictures a second run. */
+/** Simulates a 60 Hz screen. */
 function run(ms: number): void {
   const end = now + ms;
   while (now < end && callbacks.size > 0) {

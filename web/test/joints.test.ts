@@ -1,4 +1,4 @@
-/** The angles that the viewer reads from a pose, against those that the engine was given. */
+/** Joint angles read by the viewer from a pose, compared with those given to the engine. */
 
 import { expect, test } from 'vitest';
 import type { PoseNow, Vector } from '../element/engine/pose.js';
@@ -14,7 +14,7 @@ const TOLD: Readonly<Record<LimbName, readonly number[]>> = {
   head: [10, 15, -30, 20, 12],
 };
 
-/** The result of `Player::pose` at 5 s: three axes and the place of each bone, ten thousandths. */
+/** Result of `Player::pose` at 5 s: three axes and the position of each bone, ten thousandths. */
 const BONES: Readonly<Record<string, readonly number[]>> = {
   sacroiliac: [-21, 10000, 0, 19, 0, 10000, 10000, 21, -19, 21, 9044, -183],
   thoracic: [-69, 10000, 19, 18, -19, 10000, 10000, 69, -18, 12, 11618, -305],

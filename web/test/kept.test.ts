@@ -17,7 +17,7 @@ function put(target: string, path: string, text = path): void {
   utimesSync(file, yesterday, yesterday);
 }
 
-/** What cargo leaves of a package: its note, what it compiled, and what its build script wrote. */
+/** Simulates cargo's output for a package: its fingerprint, its artefacts, and the output of its build script. */
 function compiled(target: string, profile: string, name: string, hash: string): void {
   put(target, `${profile}/.fingerprint/${name}-${hash}/lib-${name}`);
   put(target, `${profile}/deps/lib${name.replaceAll('-', '_')}-${hash}.rlib`);

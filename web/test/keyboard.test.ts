@@ -1,7 +1,7 @@
 import { beforeEach, expect, test, vi } from 'vitest';
 import { handleKey, type KeyActions } from '../element/controls/keyboard.js';
 
-/** As much of an element as the keys look at. */
+/** Subset of an element used by the keyboard code. */
 class FakeElement {
   constructor(readonly selectors: string) {}
   matches(list: string): boolean {

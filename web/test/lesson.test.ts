@@ -3,7 +3,7 @@ import { Lesson, type FlowTurn } from '../element/lesson/lesson.js';
 import type { Question, FlowEntry } from '../element/base/questions.js';
 
 const option = (name: string, isRight = false) => ({ name, text: name.toUpperCase(), isRight });
-/** A question whose answers lie after it. */
+/** Returns a question followed by its answers. */
 const question = (atSecs: number, more: Partial<Question> = {}): Question => ({
   order: atSecs * 10,
   atSecs,
@@ -22,7 +22,7 @@ const question = (atSecs: number, more: Partial<Question> = {}): Question => ({
   ...more,
 });
 
-/** Something on the way, from a time on. */
+/** Returns a branch from a given time. */
 const way = (atSecs: number, endSecs: number, what: object, within?: number): FlowEntry =>
   ({ order: atSecs * 10, atSecs, endSecs, ...(within === undefined ? {} : { within }), ...what }) as FlowEntry;
 const set = (atSecs: number, name: string, what: object, within?: number) => way(atSecs, atSecs, { kind: 'set', name, ...what }, within);
@@ -36,7 +36,7 @@ function lesson(questions: readonly Question[], ways: readonly FlowEntry[] = [])
   return made;
 }
 
-/** Plays until a question or an end, in steps; the times that were shown. */
+/** Plays in steps until a question or an end; returns the shown times. */
 function play(l: Lesson, fromSecs: number, endSecs: number): { shown: number[]; secs: number; turn: FlowTurn } {
   const shown: number[] = [];
   let secs = fromSecs;
@@ -53,7 +53,7 @@ function play(l: Lesson, fromSecs: number, endSecs: number): { shown: number[]; 
   return { shown, secs, turn: { kind: 'go' } };
 }
 
-/** Answers, and goes where that leads. */
+/** Answers, and follows the continuation. */
 function answer(l: Lesson, ...given: string[]): number {
   const turn = l.answer(given)?.turn;
   return turn?.kind === 'leap' ? turn.toSecs : Number.NaN;
@@ -303,7 +303,7 @@ function dice(seed: number): (sides: number) => number {
   };
 }
 
-/** A story by chance: every ten seconds something is asked, set, meant for some, or led on from. */
+/** Returns a random story: every ten seconds a question, an assignment, a conditional part, or a goto. */
 function story(roll: (sides: number) => number): { questions: Question[]; ways: FlowEntry[]; endSecs: number } {
   const [questions, ways]: [Question[], FlowEntry[]] = [[], []];
   const count = 4 + roll(10);

@@ -1,4 +1,4 @@
-/** The part of meshoptimizer's decoder, as three.js brings it, that the tests use; it has no types of its own there. */
+/** Types of the part of meshoptimizer's decoder used by the tests, as bundled with three.js; it has no types of its own there. */
 declare module 'three/addons/libs/meshopt_decoder.module.js' {
   export const MeshoptDecoder: {
     ready: Promise<void>;

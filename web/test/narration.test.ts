@@ -5,7 +5,7 @@ import type { Answer } from '../element/base/performance.js';
 import type { Diagnostic } from '../element/base/types.js';
 import { COMPILE_MS, openBuild } from './build.js';
 
-/** A text cut into pieces at places that a seed gives. */
+/** Splits a text into pieces at positions given by a seed. */
 function pieces(text: string, seed: number): string[] {
   const all: string[] = [];
   let state = seed;
@@ -29,7 +29,7 @@ let reports: Diagnostic[];
 let answer: (index: number) => Answer;
 let startMs: number;
 
-/** Where each fragment takes a second, one after another, on the clock of the timers. */
+/** Stage on which each fragment takes a second, one after another, on the fake clock. */
 const stage: NarrationContext = {
   get telling() {
     return telling;
@@ -51,7 +51,7 @@ const accepted = (index: number): Answer => ({
   clauses: [{ clause: 0, element: 'voice-text', startSecs: index, endSecs: index + 1 }],
 });
 
-/** The words of what is said. */
+/** Returns the words of the spoken text. */
 const said = (): string => fragments.map((fragment) => (fragment.match(/<div[^>]*>(.*?)<\/div>/gs) ?? []).join(' ').replace(/<[^>]*>/g, '')).join(' | ');
 
 beforeAll(async () => {

@@ -1,4 +1,4 @@
-/** The builds that a page downloads pose the figure exactly as the native program does. */
+/** The shipped builds pose the figure exactly like the native program. */
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
@@ -8,7 +8,7 @@ import { kind } from './tier.js';
 
 const root = join(import.meta.dirname, '../..');
 const target = process.env['CARGO_TARGET_DIR'] ?? join(root, 'target');
-/** Twenty moments through the story; not round, so that they fall within movements. */
+/** Twenty times in the story; not round, so that they fall within movements. */
 const times = Array.from({ length: 20 }, (_, i) => 0.137 + i * 7.391);
 
 /** As much of the JavaScript side as is used here. */

@@ -2,7 +2,7 @@ import { beforeEach, expect, test, vi } from 'vitest';
 import type { WorkerRequest, Reply } from '../speech/messages.js';
 import type { SpokenAudio, SpeechSource } from '../speech/source.js';
 
-/** A worker that answers when it is told to. */
+/** Worker that answers on command. */
 class FakeWorker {
   static all: FakeWorker[] = [];
   onmessage?: (event: { data: Reply }) => void;
@@ -28,7 +28,7 @@ class FakeWorker {
   }
 }
 
-/** A worker is looked for before it is asked. */
+/** Resolves once the worker has been asked, after it has been found. */
 const asked = (): Promise<void> => new Promise((done) => setTimeout(done));
 
 let flite: SpeechSource;

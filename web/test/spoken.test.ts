@@ -2,7 +2,7 @@ import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { SpokenSource } from '../element/sound/spoken.js';
 import type { Utterance } from '../element/base/types.js';
 
-/** What was given to the browser to say. */
+/** Fake speech synthesis that records the texts to speak. */
 class FakeSpeech {
   voice: { name: string } | null = null;
   lang = '';
@@ -40,7 +40,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** An utterance of two seconds, each word as long as the others. */
+/** Returns an utterance of two seconds, with words of equal length. */
 function utterance(startSecs: number, text: string, more: Partial<Utterance> = {}): Utterance {
   const texts = text.split(' ');
   const length = 2 / texts.length;

@@ -2,7 +2,7 @@ import { beforeEach, expect, test } from 'vitest';
 import type { Voice } from '../element/sound/voice.js';
 import { Transport } from '../element/media/transport.js';
 
-/** A voice with a hand-wound clock that is heard 0.1 s late. */
+/** Voice with a manual clock and a latency of 0.1 s. */
 class FakeVoice implements Voice {
   time = 100;
   running = true;

@@ -1,4 +1,4 @@
-/** The error for an engine that died names what was being done and what its panic said. */
+/** The error of a dead engine names the current operation and the panic message. */
 
 import { afterEach, expect, test, vi } from 'vitest';
 

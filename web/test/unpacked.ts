@@ -1,4 +1,4 @@
-/** A figure's file without EXT_meshopt_compression, by the decoder that three.js brings. */
+/** Decompresses EXT_meshopt_compression in a figure's file, with the decoder bundled with three.js. */
 
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 

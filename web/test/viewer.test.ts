@@ -13,7 +13,7 @@ const written = (edit: (state: State) => void): string => {
   return write(state);
 };
 
-/** What a player makes of the clauses that weigh layers (GEVH 3.2.1): the others share what is left as before. */
+/** Returns the weights that a player derives from the layer clauses (GEVH 3.2.1): the others share the remainder in their previous proportion. */
 function weights(eml: string, layers: number): number[] {
   const now = Array.from({ length: layers }, () => 1 / layers);
   for (const [, value, index] of eml.matchAll(/property="weight" newValue="([\d.]+)">\s*<tracks><ly index="(\d+)"/g)) {
@@ -89,7 +89,7 @@ describe('the text of the viewer', () => {
 });
 
 describe('the speed of an animation', () => {
-  /** How far the text lets the animation of a layer come by a time. */
+  /** Returns the phase of a layer's animation at a time, as given by the text. */
   function phase(eml: string, layer: number, secs: number): number {
     const set = [...eml.matchAll(/time="([\d.]+)" player="layers" property="speed" newValue="([-\d.]+)">\s*<tracks><ly index="(\d+)"/g)].filter(
       ([, , , index]) => Number(index) === layer,

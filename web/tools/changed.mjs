@@ -3,7 +3,7 @@
 import { specsOf, visits } from './graph.mjs';
 import { ask, Stop } from './steps.mjs';
 
-/** Files that differ from `main`, committed or not, and new ones that git does not ignore. */
+/** Returns the files that differ from `main`, committed or not, and new ones that git does not ignore. */
 function changedFiles() {
   const base = ask('git', ['merge-base', 'HEAD', 'main'])?.trim();
   if (base === undefined) throw new Stop('--changed compares with the branch main, and there is none.');
@@ -24,7 +24,7 @@ export function packages({ tests = true } = {}) {
   );
 }
 
-/** The crates that changed, and all that stand on them. */
+/** Returns the changed crates, and all their dependants. */
 export function affected(files, crates) {
   const hit = new Set([...crates].filter(([, { folder }]) => files.some((file) => file.startsWith(folder))).map(([name]) => name));
   for (let before = -1; before !== hit.size; ) {
@@ -41,21 +41,21 @@ export function sources(name, crates = packages({ tests: false })) {
   return [...found].map((one) => crates.get(one)?.folder ?? one).sort();
 }
 
-/** What the web is made of and checked by. */
+/** Files that make up or check the web part. */
 const WEB = /^(web|face|expression|gestures|viewer|composite|packages|tests\/browser|index\.html|package|vite\.config|tsconfig|biome|docs|\w+\.md$)/;
-/** What every page is built, served or visited with. */
+/** Files with which every page is built, served or visited. */
 const EVERYWHERE = /^(package|vite\.config|web\/test\/tier|web\/tools\/(chromium|links|notices|parts|wasm)\.|tests\/browser\/(playwright\.config|kinds|stage)\.)/;
-/** What no page and no element is made of. */
+/** Files that are not part of any page or element. */
 const ASIDE = /^(web\/test\/|web\/tools\/|web\/package\/|tsconfig|biome)/;
 
-/** The specs that a change of some files needs: all where it is not known what reads a file of the web. */
+/** Returns the specs required by a change of files: all of them if the readers of a web file are unknown. */
 function specs(files) {
   const found = specsOf(files);
   const isAll = files.some((file) => EVERYWHERE.test(file)) || found.unknown.some((file) => WEB.test(file) && !ASIDE.test(file));
   return isAll ? Object.keys(visits()) : found.specs;
 }
 
-/** What `npm test -- --changed` runs: checks by name, the crates whose tests they are, and the specs. */
+/** Returns the work of `npm test -- --changed`: checks by name, the crates to test, and the specs. */
 export function needed() {
   const files = changedFiles();
   const crates = packages();

@@ -1,4 +1,4 @@
-/** What Chromium is started with: software drawing gives both WebGPU (SwiftShader) and WebGL2 (Mesa) on a machine without a graphics card. */
+/** Arguments of Chromium: software rendering provides both WebGPU (SwiftShader) and WebGL2 (Mesa) on a machine without a graphics card. */
 export const chromiumArgs = [
   '--no-sandbox',
   '--disable-quic',

@@ -4,13 +4,13 @@ import { basename } from 'node:path';
 import type { Plugin } from 'vite';
 
 const ENTRY = 'raconteur-course.js';
-/** What speaks in a page, with its workers and engines: some 20 MB that only stories without recordings fetch. */
+/** Files for speech in a page, with its workers and engines: about 20 MB that only stories without recordings fetch. */
 const SPEECH = /^app\/here-/;
 
-/** Whose work it is: written when the site is built, and goes where its files go. */
+/** Licence and notice files: written when the site is built, and copied together with its files. */
 const NOTICES = ['LICENSE-APACHE', 'LICENSE-MIT', 'THIRD-PARTY-NOTICES.txt'];
 
-/** A file with all that it names, directly or through others. Files of the build have names of their own, so that a name is enough. */
+/** Returns a file with all files that it names, directly or indirectly. Build files have unique names, so a name is sufficient. */
 function reach(texts: ReadonlyMap<string, string>, start: string, without: RegExp): Set<string> {
   const found = new Set([start]);
   for (const file of found) {
@@ -20,7 +20,7 @@ function reach(texts: ReadonlyMap<string, string>, start: string, without: RegEx
   return found;
 }
 
-/** Writes `course.json`: `player`, the script of the page and all that it fetches, and `speech`, what is fetched besides where the page has to speak. */
+/** Writes `course.json`: `player`, the script of the page with all its dependencies, and `speech`, the additional files for pages with speech synthesis. */
 export function course(): Plugin {
   return {
     name: 'raconteur-course',

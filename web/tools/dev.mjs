@@ -8,12 +8,12 @@ import { targetFolder } from './kept.mjs';
 import { packages, rust } from './setup.mjs';
 import { main, root, serverOptions, start, Stop } from './steps.mjs';
 
-/** Where the build lies; the server serves it in the place of both back ends' builds. */
+/** Folder of the build; the server serves it in place of both back ends' builds. */
 const folder = join(root, 'web/pkg/dev');
 const backends = ['webgl', 'webgpu'];
-/** What the build is made of: a change here, seen from the root, asks for another one. */
+/** Pattern of the build's sources, relative to the root: a change triggers a rebuild. */
 const SOURCES = /^(crate\/|web\/tools\/bindgen\/|Cargo\.(toml|lock)$|rust-toolchain\.toml$)/;
-/** Editors save several files at once. */
+/** Debounce interval, because editors save several files at once. */
 const SETTLED_MS = 200;
 
 /** Compiles the player and writes its JavaScript side. */
@@ -27,7 +27,7 @@ async function build(backend) {
   console.log(`  wasm (${backend}): ${((Date.now() - since) / 1000).toFixed(1)} s`);
 }
 
-/** Serves the build, draws with its back end, and builds it anew when its sources change. */
+/** Serves the build, renders with its back end, and rebuilds it when its sources change. */
 function player(backend) {
   return {
     name: 'raconteur-dev',

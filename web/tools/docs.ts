@@ -5,7 +5,7 @@ import { basename, dirname, join, posix } from 'node:path';
 import { Marked } from 'marked';
 import { withParts } from './parts.js';
 
-/** A document: its path in the repository, what it is called in lists, and what it is about. */
+/** Document: its path in the repository, its label in lists, and its subject. */
 type Document = readonly [path: string, label: string, about: string];
 
 /** All documents of the site, in the order of the menu. */
@@ -64,10 +64,10 @@ const groups: readonly (readonly [title: string, documents: readonly Document[]]
   ],
 ];
 
-/** Files that documents may show or offer beside pages. */
+/** Pattern of files that documents may show or offer besides pages. */
 const FILE = /\.(png|webp|svg|json|rng)$/;
 
-/** A document's page, beside those of the others. */
+/** Returns the path of a document's page, in the same folder as the others. */
 export function pageOf(path: string): string {
   const folder = /^assets\/([\w-]+)\/README\.md$/.exec(path)?.[1];
   if (folder !== undefined) return `library-${folder}.html`;
@@ -85,7 +85,7 @@ const slug = (text: string): string =>
 
 const escaped = (text: string): string => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;');
 
-/** Reads one document as HTML; `file` takes the path of a file it refers to and gives its address. */
+/** Renders a document as HTML; `file` converts the path of a referenced file to its address. */
 function bodyOf(path: string, text: string, pages: ReadonlySet<string>, file: (path: string) => string): string {
   const slugs = new Map<string, number>();
   /** An address in the document as one on the site. */
@@ -133,7 +133,7 @@ function menu(root: string, current: string): string {
     .join('\n');
 }
 
-/** The first page of the documents: every one with a line on what it is about. */
+/** Returns the index page of the documents: each one with a line on its subject. */
 function overview(root: string): string {
   const sections = groups.map(([title, documents]) => {
     const items = documents.filter(([path]) => existsSync(join(root, path))).map(([path, label, about]) => `<li><a href="${pageOf(path)}">${label}</a><span>${about}</span></li>`);
@@ -171,7 +171,7 @@ ${top}
 `;
 }
 
-/** A style sheet with those that it imports in their place: nothing bundles the files of documents. */
+/** Returns a style sheet with its imports inlined: the files of documents are not bundled. */
 function withImports(path: string): string {
   return readFileSync(path, 'utf8').replace(/^@import '(.+)';$/gm, (_, name: string) => withImports(join(dirname(path), name)));
 }

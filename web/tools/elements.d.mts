@@ -1,4 +1,4 @@
-/** What is said of a thing of an element. */
+/** Description of a part of an element. */
 export interface Described {
   readonly name: string;
   readonly description?: string;

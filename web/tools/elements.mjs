@@ -8,7 +8,7 @@ import { runnerImport } from 'vite';
 import { main, root } from './steps.mjs';
 
 const SOURCES = ['element', 'player-attributes', 'media-element', 'base/events'];
-/** Members of this class are listed as a media element's, those of the others as the player's own. */
+/** Class whose members are listed as those of a media element; members of other classes are listed as the player's own. */
 const INHERITED = 'MediaElement';
 const CLASS = 'RaconteurPlayer';
 const reference = join(root, 'docs/element.md');

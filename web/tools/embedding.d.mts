@@ -1,4 +1,4 @@
-/** What the guide shows of an example's file, line by line. */
+/** Returns the lines of an example's file shown in the guide. */
 export function shown(text: string): string[];
 /** The guide with the examples as they are now. */
 export function written(text: string): string;

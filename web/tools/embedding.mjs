@@ -10,13 +10,13 @@ import { root, Stop } from './steps.mjs';
 const guide = join(root, 'docs/embedding.md');
 const LANGUAGES = { '.mjs': 'js', '.svelte': 'svelte', '.vue': 'vue' };
 
-/** Lines moved so that the least indented one has so many spaces before it. */
+/** Reindents lines so that the least indented one has this number of spaces. */
 function indented(lines, spaces) {
   const least = Math.min(...lines.filter((line) => line.trim() !== '').map((line) => line.search(/\S/)));
   return lines.map((line) => (line.trim() === '' ? '' : ' '.repeat(spaces) + line.slice(least)));
 }
 
-/** What the guide shows of an example's file. */
+/** Returns the part of an example's file shown in the guide. */
 export function shown(text) {
   const lines = text.trimEnd().split(/\r?\n/);
   if (!text.includes('[guide')) return lines;

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { root, run, start } from './steps.mjs';
 
-/** Clones what is committed into a folder of its own, runs the gate there, and takes the folder away. */
+/** Clones the committed state into a separate folder, runs the gate there, and removes the folder. */
 export async function fresh() {
   const folder = mkdtempSync(join(tmpdir(), 'raconteur-fresh-'));
   const clone = join(folder, 'clone');

@@ -5,7 +5,7 @@ import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { root } from './steps.mjs';
 
-/** What a test in a browser visits, and the files in which it begins. */
+/** Targets of browser tests, and their entry files. */
 export const ENTRIES = {
   home: ['index.html'],
   viewer: ['web/pages/viewer/index.html'],
@@ -21,10 +21,10 @@ export const ENTRIES = {
 /** The folder of the tests in a browser. */
 export const SPECS = 'tests/browser';
 
-/** For each spec what it visits besides the player, which is on every page. */
+/** Returns the targets of each spec in addition to the player, which is on every page. */
 export const visits = () => JSON.parse(readFileSync(join(root, SPECS, 'visits.json'), 'utf8'));
 
-/** What an address of the site belongs to, by its path; undefined for what a test alone serves. */
+/** Returns the target of a site address by its path; undefined for files served only by a test. */
 export function visitedAt(path) {
   const [, script] = /^\/raconteur-(composite|course)\.js$/.exec(path) ?? [];
   const [, folder = ''] = path.split('/');
@@ -34,7 +34,7 @@ export function visitedAt(path) {
 
 const isFile = (path) => existsSync(join(root, path)) && statSync(join(root, path)).isFile();
 
-/** The file that a name in `from` stands for, from the root; undefined where it is none. */
+/** Resolves a name in `from` to a file, relative to the root; undefined if it is not a file. */
 function named(from, name) {
   const [path = ''] = name.split(/[?#]/);
   if (path === '') return undefined;
@@ -61,17 +61,14 @@ function namesIn(file) {
 
 const inside = (path) => (isFile(path) ? [path] : readdirSync(join(root, path), { recursive: true, encoding: 'utf8' }).map((name) => `${path}/${name}`).filter(isFile));
 
-/** All files that some reach, themselves among them; a folder stands for what is in it. */
+/** Returns all files reachable from the given ones, including them; a folder stands for its contents. */
 export function reached(begins) {
   const found = new Set(begins.filter((path) => existsSync(join(root, path))).flatMap(inside));
   for (const file of found) for (const name of names(file)) found.add(name);
   return found;
 }
 
-/**
- * The specs that files of the web reach, and the files that no page, element or spec is made of. A spec is reached
- * by what it names and by what it visits.
- */
+/** Returns the specs affected by web files, and the files not used by any page, element or spec. A spec depends on its imports and on its targets. */
 export function specsOf(files) {
   const parts = Object.fromEntries(Object.entries(ENTRIES).map(([name, begins]) => [name, reached(begins)]));
   const known = new Set(Object.values(parts).flatMap((all) => [...all]));

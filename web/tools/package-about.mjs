@@ -11,8 +11,8 @@ export { version };
 export const FRAMEWORKS = ['react', 'vue', 'svelte', 'solid', 'jsx'];
 
 /**
- * Where the source is, from the address that git fetches it from; undefined where that is none of a server. npm says of a package where it
- * was built (`provenance`) if this is the place.
+ * Returns the source location from git's remote address; undefined if that is not on a server. If they match, npm shows where a package was built
+ * (`provenance`).
  */
 export function placeOf(remote = '') {
   const [, host, path] = /^(?:https:\/\/(?:[^@/]+@)?|ssh:\/\/git@|git@)([\w.-]+)[:/](.+?)(?:\.git)?\/?$/.exec(remote.trim()) ?? [];
@@ -23,7 +23,7 @@ export function placeOf(remote = '') {
 
 export const place = placeOf(ask('git', ['remote', 'get-url', 'origin']));
 
-/** Licences and notices; npm packs READMEs by itself. */
+/** Licences and notices; npm packs READMEs automatically. */
 const LEGAL = ['LICENSE-*', 'COPYING', 'THIRD-PARTY-NOTICES.txt'];
 
 const about = (name, description, { files, ...rest }) => ({

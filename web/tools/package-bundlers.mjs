@@ -4,7 +4,7 @@ import { spawn } from 'node:child_process';
 import { createServer } from 'node:net';
 import { join } from 'node:path';
 
-/** Which is installed from npm, too. */
+/** Version of Deno, installed from npm too. */
 export const DENO = '2.9.6';
 
 const vite = { bundler: 'vite 8.3.8', build: [['vite', 'build', '--logLevel', 'warn']], served: 'dist' };
@@ -19,7 +19,7 @@ async function freePort() {
   return port;
 }
 
-/** Serves what Next has built, by its own server. */
+/** Serves the build of Next with its own server. */
 async function serveNext(app) {
   const port = await freePort();
   const address = `http://127.0.0.1:${port}/`;
@@ -31,7 +31,10 @@ async function serveNext(app) {
   return { address, close: () => child.kill() };
 }
 
-/** What is tried. `packages`: what is installed beside the example's own; `script`: the tag of the page, where the bundler writes none; `refused`: what the page says, where it cannot play. */
+/**
+ * Test matrix. `packages`: packages installed in addition to the example's; `script`: the tag of the page, if the bundler does not write one; `refused`: the
+ * message of a page that cannot play.
+ */
 export const CELLS = {
   'vite-plain': { ...vite, example: 'plain', types: tsc },
   'vite-react': { ...vite, example: 'react', types: tsc },

@@ -14,7 +14,7 @@ import { ask, main, root, Stop } from './steps.mjs';
 const packed = join(root, '.setup/package');
 const folder = join(root, '.setup/package-cells');
 const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
-/** What an example's folder has when it was used; none of it is the example. */
+/** Files generated in an example's folder, which are not part of the example. */
 const MADE = new Set(['node_modules', 'dist', '.next', 'public', 'package-lock.json', 'next-env.d.ts']);
 const FAILS = 'fails';
 const PLAY = 'main p > button';
@@ -22,7 +22,7 @@ const INSTALL = ['npm', 'install', '--no-audit', '--no-fund', '--prefer-offline'
 
 const packedFile = (part) => `file:${join(packed, `raconteur-${part}-${version}.tgz`)}`;
 
-/** Runs a program of npm's kind in an application's folder; its output is shown when it fails. */
+/** Runs an npm program in an application's folder; its output is shown on failure. */
 function program(app, [name, ...args], why = `${name} ${args.join(' ')}`) {
   const env = { ...process.env, NEXT_TELEMETRY_DISABLED: '1', PATH: `${join(app, 'node_modules/.bin')}${delimiter}${process.env['PATH']}` };
   const { status, stdout, stderr } = spawnSync(name, args, { cwd: app, encoding: 'utf8', env, shell: process.platform === 'win32' });
@@ -47,14 +47,14 @@ function lay(name, { example, packages = {}, files = {} }) {
   return app;
 }
 
-/** Builds a page where the bundler does not do so itself: the example's, with the script that was built. */
+/** Builds a page if the bundler does not: the example's page with the built script. */
 function layPage(app, { served, script }) {
   if (script === undefined) return;
   const page = readFileSync(join(app, 'index.html'), 'utf8').replace(/<script type="module" src="[^"]+">/, script);
   writeFileSync(join(app, served, 'index.html'), page);
 }
 
-/** Checks the types of the example, and that the mistakes of `web/package/types` are seen. */
+/** Checks the types of the example, and that the mistakes in `web/package/types` are detected. */
 function checkTypes(app, { example, types }) {
   if (types === undefined) return;
   const wrong = { plain: 'wrong.js', react: 'src/wrong.tsx', next: 'app/wrong.tsx', vue: 'src/wrong.vue', svelte: 'src/wrong.svelte', solid: 'src/wrong.tsx' }[example];

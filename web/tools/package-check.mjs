@@ -18,7 +18,7 @@ const page = (script, library = '/') => `<!doctype html>
 </html>
 `;
 
-/** A page with voices of packages: one that speaks, and one whose folder is not there. */
+/** Page with packaged voices: one that speaks, and one whose folder is missing. */
 const MAIN = `import { addSpeechSource } from '@raconteur/player';
 import { espeak } from '@raconteur/voice-espeak';
 import { naturalVoice } from '@raconteur/voice-kokoro';
@@ -27,13 +27,13 @@ addSpeechSource(espeak);
 if (await naturalVoice(new URL('/raconteur/voices/kokoro/', document.baseURI))) throw new Error('There is no natural voice.');
 `;
 
-/** Bundlers by what they build an application with, and the folder that is served then. */
+/** Bundlers: build command, and the served folder. */
 const BUNDLERS = {
   vite: { script: '/main.js', served: 'dist', build: (app) => start(process.execPath, [join(root, 'node_modules/vite/bin/vite.js'), 'build', '--logLevel', 'warn'], { cwd: app }) },
   rolldown: { script: '/built/main.js', served: '.', build: (app) => start(process.execPath, [join(root, 'node_modules/rolldown/bin/cli.mjs'), 'main.js', '--dir', 'built', '--platform', 'browser'], { cwd: app, stdio: 'ignore' }) },
 };
 
-/** Lays a packed file where `npm install` would; what it depends on is found further up. */
+/** Unpacks a packed file where `npm install` would; its dependencies are found in parent folders. */
 function install(app, name) {
   const to = join(app, 'node_modules/@raconteur', name);
   mkdirSync(to, { recursive: true });
@@ -42,7 +42,7 @@ function install(app, name) {
   return to;
 }
 
-/** The story of the page, and all voices; that of kokoro brings flite's. */
+/** Story of the page, and all voices; kokoro's includes flite's. */
 const CHOICES = ['--stories', 'hello-world', '--voices', 'espeak,kokoro'];
 
 /** An application's folder with the packed files and a page. */
@@ -56,7 +56,7 @@ function lay(name, script) {
   return app;
 }
 
-/** That the command copies what is in use, and no more; says what there is not. */
+/** Checks that the command copies only used files, and reports missing ones. */
 function checkCommand(app) {
   const library = join(app, 'public/raconteur');
   for (const used of ['stories/hello-world/story.eml', 'figures/sofia.glb', 'music/neutral.mp3', 'animations/stand.json', 'player/player.js', 'voices/flite/flite.js', 'voices/kokoro/kokoro.js']) {

@@ -10,12 +10,12 @@ import { run, Stop } from './steps.mjs';
 
 export const STORY = 'raconteur/stories/hello-world/story.eml';
 const SAID = 'Hello world!';
-/** What says what has no recording, by languages. */
+/** Default voices for speech without a recording, by language. */
 const VOICES = { en: 'flite', de: 'espeak-ng' };
 const PLAYED_MS = 60_000;
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm', '.css': 'text/css' };
 
-/** What a careful server sends: the page's own files and wasm, and no more. */
+/** Strict policy of a careful server: only the page's own files and wasm. */
 const STRICT = {
   'content-security-policy':
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data:; connect-src 'self'; media-src 'self'; base-uri 'none'; require-trusted-types-for 'script'; trusted-types raconteur lit-html",
@@ -45,7 +45,7 @@ export async function openBrowser() {
   return await chromium.launch({ args: chromiumArgs, ...(existsSync(system) ? { executablePath: system } : {}) });
 }
 
-/** In the page: plays to the end. With a button that is the application's, and what its own listener shows is told as well. */
+/** Runs in the page: plays to the end. With a button of the application, the output of its own listener is returned too. */
 async function perform({ most, button }) {
   await customElements.whenDefined('raconteur-player');
   const player = document.querySelector('raconteur-player');
@@ -64,7 +64,7 @@ async function perform({ most, button }) {
   return { outcome, words, shown, error: player.error?.message };
 }
 
-/** In the page: has a text of a language spoken that has no recording; who speaks it. That is a worker of its own, with modules of its own. */
+/** Runs in the page: speaks a text of a language without a recording; returns the voice. It runs in a separate worker with its own modules. */
 async function speak({ language, most }) {
   const player = document.querySelector('raconteur-player');
   let name;
@@ -80,8 +80,8 @@ async function speak({ language, most }) {
 }
 
 /**
- * Plays the story of a page to its end, then a text in each of the `languages`. Stops where it is not told as it should be. `button`: the
- * one that plays; `picture`: where a picture of the end is written.
+ * Plays the story of a page to its end, then a text in each of the `languages`. Stops with an error if the result differs. `button`: the play button;
+ * `picture`: path for a screenshot of the end.
  */
 export async function play(browser, name, address, { button, picture, languages = ['en'] } = {}) {
   const tab = await browser.newPage({ viewport: { width: 800, height: 700 } });
@@ -105,7 +105,7 @@ export async function play(browser, name, address, { button, picture, languages 
   }
 }
 
-/** Stops where a page that cannot play does not say why. */
+/** Stops with an error if a page that cannot play does not explain why. */
 export async function refuse(browser, address, sentence) {
   const tab = await browser.newPage();
   try {
@@ -118,7 +118,7 @@ export async function refuse(browser, address, sentence) {
   }
 }
 
-/** In the page: what is told of a text that nothing speaks, twice. */
+/** Runs in the page: returns the reports for a text that no voice speaks, twice. */
 async function miss(most) {
   await customElements.whenDefined('raconteur-player');
   const player = document.querySelector('raconteur-player');
@@ -133,7 +133,7 @@ async function miss(most) {
   return told().map(({ message, hints }) => [message, ...hints].join(' '));
 }
 
-/** What a page tells once where the voice of what has no recording is not installed. */
+/** Checks that a page reports once that the default voice is not installed. */
 export async function playWithoutVoice(browser, address) {
   const tab = await browser.newPage();
   try {
@@ -146,7 +146,7 @@ export async function playWithoutVoice(browser, address) {
   }
 }
 
-/** Gives up on a page that does not define the element. */
+/** Fails on a page that does not define the element. */
 async function undefinedElement(tab) {
   await new Promise((late) => setTimeout(late, PLAYED_MS + 15_000));
   return { outcome: 'undefined', words: [], shown: [], title: await tab.title().catch(() => '') };

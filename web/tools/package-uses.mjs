@@ -5,10 +5,10 @@ import { dirname, join } from 'node:path';
 import { root } from './steps.mjs';
 
 const assets = join(root, 'assets');
-/** Who performs where a story leaves that to others; `web/element/story/cast.ts` has the same. */
+/** Default performer; the same as in `web/element/story/cast.ts`. */
 const USUAL_FIGURE = 'sofia';
 
-/** The engine of a kind of build, without a picture. */
+/** Opens the engine of a kind of build, without rendering. */
 async function openEngine(kind) {
   const folder = join(root, kind.folder, 'webgl');
   const { default: instantiate } = await import(join(folder, 'raconteur.js'));
@@ -25,7 +25,7 @@ function stories() {
     .sort();
 }
 
-/** What each story uses: `figures` by their names, `music` by the names of files without their endings. */
+/** Returns the assets used by each story: `figures` by name, `music` by file name without extension. */
 export async function uses(kind) {
   const engine = await openEngine(kind);
   const used = {};

@@ -16,7 +16,7 @@ import { buildWasm, kinds } from './wasm.mjs';
 const folder = join(root, '.setup/package');
 /** Types of all packages, before each gets its own. */
 const declared = join(root, '.setup/package-types');
-/** Folders of the library that a page needs; what is measured or described beside them is not packed. */
+/** Library folders required by a page; measurements and descriptions next to them are not packed. */
 const LIBRARY = ['figures', 'hair', 'animations', 'faces', 'music', 'stories', 'hand-shapes'];
 /** Builds whose code each package has: crates and features, for the notices. */
 const SAY = ['say'];
@@ -49,7 +49,7 @@ function pack(name, about, readme, licenses = LICENSES) {
   checkPublishing(own, name);
 }
 
-/** npm takes the package as it is; neither a network nor a login is needed to ask. */
+/** Checks that npm accepts the package; requires neither a network nor a login. */
 function checkPublishing(own, name) {
   const { status, stderr } = spawnSync(NPM, ['publish', '--dry-run', '--offline'], { ...inPackage(own), encoding: 'utf8' });
   if (status === 0 && !stderr.includes('auto-corrected')) return;
@@ -57,7 +57,7 @@ function checkPublishing(own, name) {
   throw new Stop(`npm would not publish ${name} as it is.`);
 }
 
-/** Whose work a package has in it besides ours. */
+/** Writes the notices for third-party work in a package. */
 async function writeNotices(name, builds, packages) {
   const { module: written } = await runnerImport(join(root, 'web/tools/notices.ts'), { root, configFile: false, logLevel: 'error' });
   writeFileSync(join(folder, name, 'THIRD-PARTY-NOTICES.txt'), written.notices(root, { builds, packages }));

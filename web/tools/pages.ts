@@ -6,10 +6,10 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { normalizePath, type Plugin } from 'vite';
 
-/** The pages besides the first one, which is `index.html` at the root. */
+/** Pages other than the first one, which is `index.html` at the root. */
 export const PAGES: readonly string[] = ['viewer', 'gestures', 'face', 'expression', 'composite'];
 
-/** Where the build takes a page for being: Vite names its HTML by that. */
+/** Returns the virtual path of a page in the build, from which Vite derives the name of its HTML. */
 export const servedPage = (root: string, name: string): string => normalizePath(join(root, name, 'index.html'));
 
 /** Serves and builds the pages of a root. */

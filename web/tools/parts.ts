@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 const folder = join(import.meta.dirname, '../pages/parts');
 
-/** Puts parts into a text in the place of `<!-- part: NAME -->`, indented as that; parts may have parts. */
+/** Replaces `<!-- part: NAME -->` in a text by the part, with the same indentation; parts may be nested. */
 export function withParts(text: string): string {
   return text.replace(/^( *)<!-- part: ([\w-]+) -->$/gm, (_, indent: string, name: string) => {
     const part = readFileSync(join(folder, `${name}.html`), 'utf8').trimEnd();

@@ -16,7 +16,7 @@ const PAGE = { width: 1000, height: 700 };
 const [SETTLES_MS, MEASURED_MS] = [3000, 8000];
 const USAGE = 'npm run bench:peer -- --avatar FILE.glb [--rounds 3] [--quality auto] [--backend webgl]';
 
-/** A measure: its name, its unit, how it is read, and whether more of it is better. */
+/** Measures: name, unit, reader, and true if higher is better. */
 const MEASURES = [
   ['frames a second', '', (m) => m.framesPerSecond, true],
   ['worst task', ', ms', (m) => m.worstTaskMs, false],
@@ -28,7 +28,7 @@ const MEASURES = [
 
 const TYPES = { html: 'text/html', js: 'text/javascript', mjs: 'text/javascript', css: 'text/css', glb: 'model/gltf-binary' };
 
-/** Serves the two pages, the peer's packages and its avatar, without the policy that our own pages keep. */
+/** Serves the two pages, the peer's packages and its avatar, without the content security policy of the project's pages. */
 function peerFiles(avatar) {
   const folders = { '/bench/': join(root, 'web/tools/peer'), '/peer/': join(root, FOLDER) };
   return {

@@ -9,14 +9,14 @@ import { ask, main, run, Stop } from './steps.mjs';
 
 const PEOPLE = 'crate/sculpt/src/people';
 const STORY = 'tests/bilabials';
-/** How many are drawn; a person takes some four seconds of one processor. */
+/** Number of random people; each takes about four seconds of one processor. */
 const CROWD = 40;
-/** How far from a wanted measure a fit may end, standard deviations. */
+/** Maximum deviation of a fit from a wanted measure, standard deviations. */
 const NEAR = 0.7;
 
 const [raconteur] = process.argv.slice(2);
 
-/** The heads of the library are what the model gives for their traits. */
+/** Checks that the heads of the library match the model's output for their traits. */
 function binds(folder) {
   for (const file of readdirSync(PEOPLE).filter((f) => f.endsWith('.json'))) {
     const [made, kept] = [join(folder, 'person.tsv'), join(PEOPLE, file.replace('.json', '.tsv'))];
@@ -25,7 +25,7 @@ function binds(folder) {
   }
 }
 
-/** A person comes to wanted measures. */
+/** Checks that a person can be fitted to wanted measures. */
 function fits(folder) {
   const wanted = { nose_breadth: 1, face_height: -1, mouth_breadth: 0.5, ear_length: -0.5 };
   const [measures, person] = [join(folder, 'measures.json'), join(folder, 'person.json')];

@@ -5,7 +5,7 @@ import { availableParallelism } from 'node:os';
 import { fileURLToPath } from 'node:url';
 import { isMainThread, parentPort, Worker } from 'node:worker_threads';
 
-/** What compilers and tests do: hash, follow pointers through memory that no cache holds, and count with floats. */
+/** Runs a workload typical of compilers and tests: hashing, pointer chasing through memory larger than any cache, and floating-point arithmetic. */
 function work() {
   const size = 1 << 22;
   const next = new Uint32Array(size);
@@ -23,7 +23,7 @@ function work() {
   return at + sum + names.size;
 }
 
-/** Seconds that the work takes while every processor does it. */
+/** Returns the duration in seconds of the workload on all processors simultaneously. */
 export async function probe() {
   const begun = performance.now();
   await Promise.all(

@@ -6,10 +6,10 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Component } from './notices.js';
 
-/** What the library of `wasm32-unknown-unknown` is made of besides its own files. */
+/** Third-party crates in the standard library of `wasm32-unknown-unknown`. */
 const CRATES = ['cfg-if', 'dlmalloc', 'foldhash', 'hashbrown', 'rustc-demangle'];
 
-/** What the compiler's own list says of files that are in the library's repository. */
+/** Statements of the compiler's own licence list about files in the library's repository. */
 const OWN = [
   { license: 'MIT', holder: 'The Rust Project Developers (see https://thanks.rust-lang.org)' },
   { license: 'Apache-2.0', holder: 'The Rust Project Developers (see https://thanks.rust-lang.org)' },

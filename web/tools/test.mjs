@@ -18,7 +18,7 @@ import { backends, builds, buildWasm, kinds, stampOf } from './wasm.mjs';
 const isLong = process.argv.includes('--long');
 // Tests ask for it: in Rust by `raconteur-tier`, in the browser and the unit tests directly.
 if (isLong) process.env['TEST_LONG'] = '1';
-/** The builds that are tested: what ships in the long tier. */
+/** Tested builds: the shipped ones in the long tier. */
 const kind = isLong ? kinds.shipped : kinds.quick;
 
 const cargo = (args, options) => start('cargo', args, options);
@@ -29,10 +29,10 @@ let building;
 const built = () => (building ??= buildTests());
 const program = async (name) => (await built()).programs[name];
 
-/** Something was not run because it had passed before: the times of the run are not those of the gate. */
+/** True if a check was skipped because it had passed before: the run's times are then not those of the gate. */
 let wasSpared = false;
 
-/** Does `work` unless it passed before and nothing of `inputs` has changed; in the long tier in any case. */
+/** Does `work` unless it passed before with the same `inputs`; always in the long tier. */
 const unlessPassed = async (name, inputs, work) => {
   if (isLong) return work();
   if (await once(`passed-${name}`, { inputs }, work)) return;
@@ -40,12 +40,12 @@ const unlessPassed = async (name, inputs, work) => {
   console.log('  passed before, and unchanged');
 };
 
-/** What plays in a browser test, and what those of the pages add. */
+/** Inputs of browser tests; the next constant adds those of the pages. */
 const PLAYED = [...builds.map((build) => `.setup/${stampOf(kind, build)}`), 'web/element', 'web/speech', 'packages', 'web/test/tier.ts', 'web/tools/chromium.mjs', 'tests/browser', 'assets', 'vite.config.ts', 'package-lock.json'];
 // Among them are figures in three.js beside the command line's pictures of them.
 const PAGES = ['crate/cli', 'index.html', 'web/pages', 'web/tools/pages.ts', 'web/composite', 'web/course', 'web/tools/course.ts', 'docs', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md'];
 
-/** What ran, for the report at the end. */
+/** Completed tests, for the final report. */
 const tests = [];
 
 /** Runs the tests of some projects, or of these only those of the specs that are named. */
@@ -60,14 +60,14 @@ const playwright = async (name, workers, projects, specs = []) => {
   }
 };
 
-/** The tests in a browser: two at a time, but what is timed by sound has the machine for itself. */
+/** Browser tests: two in parallel, except those timed by audio, which run alone. */
 const BROWSER = [
   { name: 'player', workers: 2, projects: ['webgl', 'webgpu'], inputs: PLAYED, has: (spec) => !isPage(spec) },
   { name: 'pages', workers: 2, projects: ['page'], inputs: [...PLAYED, ...PAGES], has: isPage },
   { name: 'sound', workers: 1, projects: isLong ? ['webgl-sound', 'webgpu-sound'] : ['webgl-sound'], inputs: PLAYED, has: isTimed },
 ];
 
-/** The checks by name, in their order: what fails soon comes first. */
+/** Checks by name, in order: those that fail fast come first. */
 const checks = {
   format: () => cargo(['fmt', '--all', '--check']),
   lint: () => node('node_modules/@biomejs/biome/bin/biome', ['check', '--error-on-warnings', '.']),
@@ -132,11 +132,11 @@ const checks = {
   },
 };
 
-/** Checks of the long tier alone. */
+/** Checks of the long tier only. */
 const LONG = ['doc', 'fresh', 'fuzz', 'witness', 'people', 'size'];
-/** Checks after which there is more to keep, and no compiler is at work. */
+/** Checks after which there is more to cache, and no compiler is running. */
 const COMPILES = ['compile', 'doctest', 'clippy', 'clippy-wasm', 'wasm'];
-/** Checks that run what `built` makes. */
+/** Checks that run the output of `built`. */
 const RUNS_BUILT = ['compile', 'rust', 'voices', 'people', 'wasm', 'unit', 'package', 'size', 'browser'];
 
 await main(async () => {

@@ -10,7 +10,7 @@ import { main, root } from './steps.mjs';
 
 const TICKS = 600;
 const ROUNDS = 7;
-/** Of the tissue, and how many more are walked ahead for each. */
+/** Tissue steps per second; the next constant is the number of additional steps simulated before each time. */
 const STEPS_PER_S = 120;
 const AHEAD = 0.25;
 const BEGIN_SECS = 3;
@@ -32,7 +32,7 @@ await main(async () => {
     const instance = instantiate();
     const module = await WebAssembly.compile(readFileSync(join(folder, 'raconteur_bg.wasm')));
     await instance({ module_or_path: module });
-    /** How long each of several lists of moments takes, milliseconds, round by round. */
+    /** Returns the duration of several lists of times, milliseconds, round by round. */
     const timed = (glb, ...lists) => {
       const run = (times) => {
         const start = performance.now();

@@ -1,9 +1,9 @@
-/** What a check or a test took. */
+/** Duration of a check or a test. */
 export interface Timed {
   readonly name: string;
   readonly secs: number;
 }
-/** Times of a run, and what the probe took before it. */
+/** Times of a run, and the probe's duration before it. */
 export interface Times {
   readonly checks: readonly Timed[];
   readonly tests: readonly Timed[];

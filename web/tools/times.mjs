@@ -6,11 +6,11 @@ import { dirname, join } from 'node:path';
 import { keptPath } from './kept.mjs';
 import { ask, root } from './steps.mjs';
 
-/** How many of the slowest tests are named. */
+/** Number of slowest tests listed. */
 const NAMED = 10;
-/** What takes more than this many times its budget, or its time on main, is named. */
+/** Factor over the budget, or over the time on main, above which a check or test is listed. */
 const SLOW = 1.25;
-/** Below this many seconds a check is too short to be told from chance. */
+/** Duration in seconds below which a check is too short to distinguish from noise. */
 const MIN_SECS = 10;
 /** A test that grew by less is not named. */
 const MIN_GROWTH_SECS = 5;
@@ -25,7 +25,7 @@ export function reportPath(name) {
 
 const read = (path) => (existsSync(path) ? JSON.parse(readFileSync(path, 'utf8')) : undefined);
 
-/** What an earlier run left; undefined where there is nothing, or where it cannot be read. */
+/** Reads the results of an earlier run; undefined if they do not exist or cannot be read. */
 function readKept(path) {
   try {
     return read(path);
@@ -70,7 +70,7 @@ export function slower(checks, wanted, pace) {
     .map(({ name, secs, budget }) => `${name} took ${secs.toFixed(0)} s; its budget is ${budget.toFixed(0)} s on this machine.`);
 }
 
-/** Checks and tests that take longer than they did in `before`, a run of main, as sentences: the greatest growth first. */
+/** Returns checks and tests slower than in `before`, a run of main, as sentences in descending order of growth. */
 export function grown(now, before) {
   const pace = now.probe / before.probe;
   const old = new Map([...before.checks, ...before.tests].map(({ name, secs }) => [name, secs * pace]));
@@ -81,13 +81,13 @@ export function grown(now, before) {
     .map(({ name, secs }) => `${name} took ${secs.toFixed(1)} s; on main it would be ${old.get(name).toFixed(1)} s.`);
 }
 
-/** Whether what is checked out is part of main and nothing is changed. */
+/** Returns true if the checkout is part of main without changes. */
 const isMain = () => ask('git', ['status', '--porcelain'])?.trim() === '' && ask('git', ['merge-base', '--is-ancestor', 'HEAD', 'main']) !== undefined;
 
 /**
- * Prints and keeps the times of a run: `checks` and `tests` with seconds, and what the `probe` took before them.
- * Says what was slower than its budget; of a whole run of the gate (`isWhole`) in which nothing had passed before also
- * what grew since main, and keeps it where it is of main. The long tier (`isLong`) has no budgets.
+ * Prints and stores the times of a run: `checks` and `tests` with seconds, and the duration of the `probe` before them. Reports everything over its budget;
+ * for a complete gate run (`isWhole`) without skipped checks also the growth since main, and stores it if it is on main. The long tier (`isLong`) has no
+ * budgets.
  */
 export function report({ checks, tests, probe, isWhole, isLong }) {
   const slowest = [...tests].sort((a, b) => b.secs - a.secs).slice(0, NAMED);

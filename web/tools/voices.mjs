@@ -10,7 +10,7 @@ import { join } from 'node:path';
 import { targetFolder } from './kept.mjs';
 import { main, root, run, Stop } from './steps.mjs';
 
-/** Engine, voice, how a column is headed, and whether it stands for its engine. */
+/** Engine, voice, column heading, and true if it represents its engine. */
 const voices = [
   ['festival', 'cmu_us_slt_arctic_hts', 'Festival<br>slt_hts', true],
   ['festival', 'kal_diphone', 'Festival<br>kal'],
@@ -25,7 +25,7 @@ const document = join(root, 'docs/voices.md');
 const begin = '<!-- measured: begin -->';
 const end = '<!-- measured: end -->';
 
-/** Rows of emotions are named by a dimension and its value, the others by their markup. */
+/** Returns true for rows of emotions, which are named by a dimension and its value; others are named by their markup. */
 const isEmotion = (row) => /^(activation|evaluation|power) /.test(row.setting);
 
 /** Measures a voice: rows of `setting`, `property`, `asked`, `heard`, `error` and `ok`. */
@@ -59,14 +59,14 @@ async function measureAll(program, options, voices) {
 /** A number of three digits, with a proper minus. */
 const figure = (x) => Number(x.toFixed(Math.abs(x) < 10 ? 2 : 1)).toString().replace('-', '−');
 
-/** NaN comes as null. */
+/** Formats a value; NaN is encoded as null. */
 function cell(row) {
   if (row === undefined) return '–';
   const heard = row.heard === null || row.error === null ? '?' : `${figure(row.heard)}, ${Math.round(row.error * 100)} %`;
   return row.ok ? heard : `**${heard}**`;
 }
 
-/** A table of the rows that are wanted: one a setting, one column a voice. */
+/** Returns a table of the wanted rows: one row per setting, one column per voice. */
 function table(measured, wanted) {
   const name = (row) => `${row.setting}\0${row.property}`;
   const asked = new Map();
@@ -80,7 +80,7 @@ function table(measured, wanted) {
   return [head, head.map((_, i) => (i < 2 ? '---' : '--:')), ...lines].map((fields) => `| ${fields.join(' | ')} |`).join('\n');
 }
 
-/** What stands between the two marks of the document. */
+/** Returns the content between the two marks of the document. */
 function tables(measured) {
   return `## Measured
 

@@ -1,4 +1,4 @@
-/** A kind of build: its wasm files and its page lie in `folder` and `site`, from the root. */
+/** Kind of build: its wasm files and its page are in `folder` and `site`, relative to the root. */
 export interface Kind {
   readonly name: string;
   readonly folder: string;

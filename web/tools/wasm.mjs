@@ -10,15 +10,15 @@ import { packages, sources } from './changed.mjs';
 import { targetFolder } from './kept.mjs';
 import { once, root, start, Stop } from './steps.mjs';
 
-/** The back ends, each with a build of its own. */
+/** Back ends, each with its own build. */
 export const backends = ['webgpu', 'webgl'];
 
-/** Every build and its folder: features of the crate `web`, and the crates `avatar`, `faces` and `say`. */
+/** All builds and their folders: features of the crate `web`, and the crates `avatar`, `faces` and `say`. */
 export const builds = [...backends, 'avatar', 'faces', 'say'];
 
 /**
- * What a build is for: to be shipped, small and fast, or to be tested soon after a change. A kind has cargo's
- * profile, the folder of its wasm builds and that of its page; what is optimized goes through wasm-opt too.
+ * Purposes of builds: shipping, small and fast, or testing soon after a change. A kind has cargo's profile, the folder of its wasm builds and that of its
+ * page; optimised ones also go through wasm-opt.
  */
 export const kinds = {
   shipped: { name: 'shipped', profile: 'wasm', folder: 'web/pkg', site: 'dist', isOptimized: true },
@@ -50,7 +50,7 @@ export async function buildWasm(kind = kinds.shipped, bindgen) {
 /** The package that a variant is a build of. */
 const crateOf = (feature) => `raconteur-${backends.includes(feature) ? 'web' : feature}`;
 
-/** Compiles a variant and gives its file, which lies in `folder` because cargo's own is the next variant's as well. */
+/** Compiles a variant and returns its file, copied to `folder` because the next variant overwrites cargo's own. */
 async function compile(feature, { profile, isOptimized }, folder) {
   const name = crateOf(feature);
   // Messages of panics name source files: without the folders of the build machine. What tests play may name them,
@@ -74,7 +74,7 @@ async function compile(feature, { profile, isOptimized }, folder) {
   return taken;
 }
 
-/** Writes the JavaScript side of a compiled variant, and optimizes it where its kind asks for that. */
+/** Writes the JavaScript side of a compiled variant, and optimises it if its kind requires that. */
 async function finish(compiled, folder, { isOptimized }, bindgen) {
   const [program, ...args] = bindgen === undefined ? ['cargo', 'run', '--locked', '--quiet', '--package', 'raconteur-bindgen', '--'] : [bindgen];
   await start(program, [...args, compiled, folder], { why: 'Writing the JavaScript side' });

@@ -11,8 +11,8 @@ const FOLDER = '.setup/witnesses';
 const PYTHON = join(root, FOLDER, process.platform === 'win32' ? 'Scripts/python.exe' : 'bin/python');
 
 /**
- * The least score of a story, the mean of its utterances, and by how much words may begin elsewhere, in the middle and in one
- * of twenty, milliseconds. Single words, as of the lesson and the greeting, are rated lower; verse is paced by its breaks.
+ * Minimum score of a story, the mean of its utterances, and maximum deviation of word starts, in the median and in one of twenty, milliseconds. Single words,
+ * as in the lesson and the greeting, are rated lower; the timing of verse depends on its breaks.
  */
 const BOUNDS = {
   'stories/white-rabbit': { p808: 4.1, medianMs: 30, mostMs: 80 },

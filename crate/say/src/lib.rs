@@ -82,10 +82,10 @@ impl Speaker {
         Ok(PageBake::new(speech_requests(&parsed.document), known))
     }
 
-    /// Speaks the next utterance, like [`Saying::step`].
+    /// Speaks the next utterance, like [`PageBake::step`].
     ///
     /// # Errors
-    /// As [`Saying::step`].
+    /// As [`PageBake::step`].
     pub fn step(&self, saying: &mut PageBake) -> Result<bool> {
         saying.step(&self.options)
     }

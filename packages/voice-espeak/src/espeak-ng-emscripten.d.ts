@@ -1,6 +1,6 @@
-/** What is used of `@echogarden/espeak-ng-emscripten`, which comes without types. */
+/** Declarations for the used part of `@echogarden/espeak-ng-emscripten`, which has no types of its own. */
 declare module '@echogarden/espeak-ng-emscripten' {
-  /** Something that happens in a sound. */
+  /** Event in a piece of audio. */
   export interface EspeakEvent {
     readonly type: string;
     /** ms */
@@ -11,12 +11,12 @@ declare module '@echogarden/espeak-ng-emscripten' {
   }
 
   export interface EspeakWorker {
-    /** 0 where there is such a voice. */
+    /** Returns 0 if the voice exists. */
     set_voice(name: string): number;
     get_samplerate(): number;
     /** The text's mnemonics, as a string in memory. */
     text_to_phonemes(text: string, mode: number): { readonly ptr: number };
-    /** `take` returns true to stop. */
+    /** Synthesises a text; `take` returns true to stop. */
     synthesize(text: string, take: (samples: Int16Array, events: readonly EspeakEvent[]) => boolean): void;
   }
 

@@ -9,7 +9,7 @@ import { WorkerSource } from '../../../web/speech/worker-source.js';
 /** Variants that make other speakers of a language's one voice. */
 const VARIANTS: Record<string, string> = { sofia: '+f2', amara: '+f3', lia: '+f4', papous: '+m4', kenji: '+m2' };
 
-/** One for all players of the page; give it to `addSpeechSource`. */
+/** Shared source for all players of the page; pass it to `addSpeechSource`. */
 export const espeak: SpeechSource = new WorkerSource({
   name: 'espeak-ng',
   about: 'A clear voice that sounds like a machine, of many languages.',

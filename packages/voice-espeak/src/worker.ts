@@ -1,23 +1,23 @@
-/** Speaks with espeak-ng. */
+/** Speech synthesis with espeak-ng. */
 
 import createEspeak, { type EspeakModule, type EspeakWorker } from '@echogarden/espeak-ng-emscripten';
 import dataUrl from '@echogarden/espeak-ng-emscripten/espeak-ng.data?url';
 import { fetched, type Host, serve } from '../../../web/speech/serve.js';
 
-/** Of the package's build; the library tells no other. */
+/** Version of the package's build; the library reports none. */
 const VERSION = '1.52.0';
 const DATA = '/usr/share/espeak-ng-data';
-/** Longest text, characters; the baker gives sentences. */
+/** Maximum length of a text, characters; the baker passes sentences. */
 const MAX_CHARACTERS = 100_000;
 
-/** What happens at a sample: `Event` of `crate/voice`. */
+/** Event at a sample: `Event` of `crate/voice`. */
 type Event = { readonly sample: number } & ({ readonly kind: 'word'; readonly position: number } | { readonly kind: 'phone'; readonly symbol: string } | { readonly kind: 'end' });
 
 /** The library. */
 class Espeak implements Host {
   readonly #module: EspeakModule;
   readonly #worker: EspeakWorker;
-  /** Its memory before it said anything. */
+  /** Initial memory of the library, before any speech. */
   readonly #fresh: Uint8Array;
 
   constructor(module: EspeakModule) {
@@ -51,7 +51,7 @@ class Espeak implements Host {
     return this.#module.FS.readFile(`${DATA}/${path}`, { encoding: 'utf8' });
   }
 
-  /** Says a text. The library keeps noise and flutter from text to text: it gets the memory back that it began with. */
+  /** Synthesises a text. The library carries noise and flutter over from text to text, so its initial memory is restored. */
   say(voice: string, text: string): { samples: Int16Array; rateHz: number; events: Event[]; marked: string } {
     if (text.length > MAX_CHARACTERS) throw new Error('the sentence is too long');
     this.#module.HEAPU8.set(this.#fresh);

@@ -1,4 +1,4 @@
-/** Cues as time goes on. */
+/** Rows about cues during playback. */
 
 import type { Kit } from '../media-kit.js';
 import type { Row, Theme, Video } from './rows.js';
@@ -6,7 +6,7 @@ import type { Row, Theme, Video } from './rows.js';
 const element = 'track/track-element/';
 const active = 'interfaces/TextTrack/activeCues.html#';
 
-/** Plays with cues in a track: their events in order, and what was active at them. */
+/** Plays with cues in a track; returns their events in order, with the cues active at them. */
 const told = async ({ media, loaded, event }: Kit<Video>, given: readonly (readonly [number, number])[]) => {
   await loaded();
   const track = media.addTextTrack('metadata');

@@ -1,4 +1,4 @@
-/** Tests of the same folders that say nothing of a storyteller. */
+/** Tests of the same folders that do not apply to a storyteller. */
 
 export interface Inapplicable {
   /** A file; all whose names begin so where a star ends it. */

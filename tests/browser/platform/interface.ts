@@ -1,4 +1,4 @@
-/** Constants, attributes and what they give at first. */
+/** Rows about constants, attributes and their initial values. */
 
 import type { Kit } from '../media-kit.js';
 import type { Row, Theme, Video } from './rows.js';
@@ -7,13 +7,13 @@ const idl = '/html/dom/idlharness.https.html#HTMLMediaElement interface: ';
 const reflection = '/html/dom/reflection-embedded.html#audio.';
 const cors = 'interfaces/HTMLElement/HTMLMediaElement/crossOrigin.html#';
 
-/** What an instance and its class have. */
+/** Returns a constant of an instance and of its class. */
 const constant = ({ media }: Kit<Video>, name: string) => [media, media.constructor].map((of) => (of as unknown as Record<string, unknown>)[name]);
 
 /** The value at first of a property of an element that was just made. */
 const first = ({ make }: Kit<Video>, name: string) => (make() as unknown as Record<string, unknown>)[name];
 
-/** What a property tells of texts of its attribute; null: there is none. */
+/** Returns the values of a property for texts of its attribute; null means no attribute. */
 const told = ({ make }: Kit<Video>, { attribute, property, texts }: { attribute: string; property: string; texts: readonly (string | null)[] }) =>
   texts.map((text) => {
     const media = make();
@@ -22,7 +22,7 @@ const told = ({ make }: Kit<Video>, { attribute, property, texts }: { attribute:
     return (media as unknown as Record<string, unknown>)[property];
   });
 
-/** What an attribute is once a property was set. */
+/** Returns an attribute after its property was set. */
 const written = ({ make }: Kit<Video>, { attribute, property, values }: { attribute: string; property: string; values: readonly unknown[] }) =>
   values.map((value) => {
     const media = make();

@@ -1,4 +1,4 @@
-/** Loading: events and their order, states, what a new load does, and errors. */
+/** Rows about loading: events and their order, states, the effect of a new load, and errors. */
 
 import type { Kit } from '../media-kit.js';
 import type { Row, Theme, Video } from './rows.js';
@@ -6,7 +6,7 @@ import type { Row, Theme, Video } from './rows.js';
 const selection = 'loading-the-media-resource/resource-selection-';
 const loading = 'loading-the-media-resource/';
 
-/** Whether an event comes after `src` was set, and how it looks. */
+/** Returns true if an event follows after `src` was set, with its properties. */
 const comes = async ({ media, good, event }: Kit<Video>, { type, autoplay }: { type: string; autoplay: boolean }) => {
   media.autoplay = autoplay;
   const told = event(type) as Promise<Event>;
@@ -16,7 +16,7 @@ const comes = async ({ media, good, event }: Kit<Video>, { type, autoplay }: { t
   return [bubbles, target === media];
 };
 
-/** Which events come once `src` was set, each the first time. */
+/** Returns the order of the first events of each type after `src` was set. */
 const order = async ({ media, good, follow, event }: Kit<Video>, { types, autoplay }: { types: readonly string[]; autoplay: boolean }) => {
   media.autoplay = autoplay;
   const seen = follow(...types);
@@ -82,7 +82,7 @@ const states: readonly Row[] = [
   },
 ];
 
-/** What `load()` tells, in which state: nothing at once, and then its own events before the next `loadstart`. */
+/** Returns the events of `load()` in a given state: none immediately, and then its own before the next `loadstart`. */
 const reload = async ({ media, good, absent, event, follow, wait }: Kit<Video>, when: 'idle' | 'loading' | 'moved' | 'failed') => {
   const there = event({ idle: 'suspend', loading: 'loadstart', moved: 'loadeddata', failed: 'error' }[when]);
   media.src = when === 'failed' ? absent : good;
@@ -138,7 +138,7 @@ const AUTOPLAY: readonly Row[] = ['none', 'metadata'].flatMap((preload) =>
   })),
 );
 
-/** The state right after a call, and when everything at hand is done. */
+/** Returns the state immediately after a call, and after all pending work. */
 const invoked = async ({ make, wait }: Kit<Video>, { work, isIn }: { work: string; isIn: boolean }) => {
   const media = make();
   if (isIn) document.querySelector('main')?.append(media);

@@ -1,4 +1,4 @@
-/** Rows that the player does not answer as the specification expects. */
+/** Rows in which the player's answer differs from the specification. */
 
 export interface Missed {
   readonly test: string;

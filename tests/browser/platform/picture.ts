@@ -1,4 +1,4 @@
-/** The picture and where else it goes: callbacks of frames, streams, picture in picture, quality. */
+/** Rows about the image and its other outputs: frame callbacks, streams, picture-in-picture, quality. */
 
 import type { Kit } from '../media-kit.js';
 import type { Row, Theme, Video } from './rows.js';
@@ -133,7 +133,7 @@ const callbacks: readonly Row[] = [
   },
 ];
 
-/** In how many pixels it is seen, and when that is told. */
+/** Rows about the displayed size in pixels, and its events. */
 const pictures: readonly Row[] = [
   { test: `${sizes}intrinsic_sizes.htm#before there is a picture`, ask: ({ make }) => [make().videoWidth, make().videoHeight], expected: [0, 0] },
   {
@@ -211,7 +211,7 @@ const streams: readonly Row[] = [
   },
 ];
 
-/** What becomes of asking for picture in picture. */
+/** Returns the outcome of a picture-in-picture request. */
 const asked = async ({ media, loaded, settle, make }: Kit<Video>, given: 'nothing loaded' | 'disabled') => {
   if (given === 'nothing loaded') return await settle(make().requestPictureInPicture());
   await loaded();
@@ -240,7 +240,7 @@ const windows: readonly Row[] = [
   { test: `${pip}request-picture-in-picture.html#metadata must be there`, ask: asked, given: 'nothing loaded', expected: 'InvalidStateError' },
 ];
 
-/** Events of the window: what they are, and what the document names. */
+/** Returns the events of the picture-in-picture window, and the document's property. */
 const told = async ({ media, loaded, event, follow }: Kit<Video>, type: 'enter' | 'leave') => {
   await loaded();
   const events = follow('enterpictureinpicture', 'leavepictureinpicture');

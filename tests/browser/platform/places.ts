@@ -1,9 +1,9 @@
-/** Where the element is: out of its page and back, in no page at all. None of web-platform-tests asks these. */
+/** Rows about the element's location: removed from its page and returned, or in no page at all. None of web-platform-tests covers these. */
 
 import type { Kit } from '../media-kit.js';
 import type { Row, Theme, Video } from './rows.js';
 
-/** Plays, is taken out for so long, and is put into another place: where it is, what was told, and that it goes on there. */
+/** Plays, removes the element for a time, and inserts it elsewhere; returns its position, its events, and its progress there. */
 const returned = async ({ media, loaded, wait, until, follow }: Kit<Video>, { ms, into }: { ms: number; into: 'the same' | 'elsewhere' | 'a fragment' | 'a shadow' }) => {
   const main = document.querySelector('main');
   await loaded();

@@ -1,4 +1,4 @@
-/** Playing, pausing, repeating, and what moves or removes the element. */
+/** Rows about playing, pausing, repeating, and moving or removing the element. */
 
 import type { Kit } from '../media-kit.js';
 import type { Row, Theme, Video } from './rows.js';
@@ -6,7 +6,7 @@ import type { Row, Theme, Video } from './rows.js';
 const playing = 'playing-the-media-resource/';
 const autoplaying = 'ready-states/autoplay.html#';
 
-/** Whether an event comes when it plays, by itself or by a call, and what it finds. */
+/** Returns true if an event occurs when it plays, automatically or by a call, with the state at that time. */
 const comes = async ({ media, good, event, settle }: Kit<Video>, { type, autoplay }: { type: string; autoplay: boolean }) => {
   media.autoplay = autoplay;
   const told = (event(type) as Promise<Event>).then(({ bubbles }) => [bubbles, media.paused]);
@@ -62,7 +62,7 @@ const paused: readonly Row[] = [
   },
 ];
 
-/** Which events come by themselves, in order, after some calls. */
+/** Returns the spontaneous events, in order, after some calls. */
 const automatic = async ({ media, good, follow, event, settle, wait }: Kit<Video>, work: 'nothing' | 'pause, load' | 'play' | 'pause' | 'remove') => {
   media.src = good;
   media.autoplay = true;
@@ -86,7 +86,7 @@ const itself: readonly Row[] = [
   { test: `${autoplaying}internal pause steps set the autoplaying flag to false`, ask: automatic, given: 'remove', expected: [false, ['canplay', 'canplaythrough']] },
 ];
 
-/** A rate is taken and told, or refused and nothing has changed. */
+/** Sets a rate; returns its event, or the exception with the unchanged rate. */
 const rate = async ({ media, event, thrown }: Kit<Video>, value: number) => {
   const before = media.playbackRate;
   const told = event('ratechange');
@@ -173,7 +173,7 @@ const loops: readonly Row[] = [
   },
 ];
 
-/** Plays, is taken out or put elsewhere, and is looked at: at once, when the script is over, and later. */
+/** Plays and removes or moves the element; returns its state immediately, at the end of the script, and later. */
 const moved = async ({ media, loaded, event, wait, follow }: Kit<Video>, where: 'out' | 'elsewhere' | 'another document') => {
   await loaded();
   await media.play();

@@ -1,26 +1,29 @@
-/** Tests of https://github.com/web-platform-tests/wpt as facts: what is asked, and what the specification expects. */
+/** Tests of https://github.com/web-platform-tests/wpt as data: the question, and the answer that the specification expects. */
 
 import type { Kit } from '../media-kit.js';
 
-/** What the player is measured against. */
+/** Reference element for the player. */
 export type Video = HTMLVideoElement & { captureStream(): MediaStream };
 
 export interface Row {
-  /** The file, below `html/semantics/embedded-content/media-elements/` or, with a slash first, below the root; then the subtest. `specification` stands for what none of them asks. */
+  /**
+   * Test file, relative to `html/semantics/embedded-content/media-elements/` or, with a leading slash, to the root; then the subtest. `specification` marks
+   * rows that none of them covers.
+   */
   readonly test: string;
   /** It runs in the page. */
   readonly ask: (kit: Kit<Video>, given: never) => unknown;
   readonly given?: unknown;
   readonly expected: unknown;
-  /** Why the browser's own element is not asked, or does not answer as expected. */
+  /** Reason why the browser's own element is not asked, or deviates from the expected answer. */
   readonly uncontrolled?: string;
 }
 
 export interface Theme {
   readonly name: string;
-  /** What the browser's own answer comes from. */
+  /** Element that gives the browser's own answer. */
   readonly control: 'audio' | 'video';
-  /** The rows need a picture. */
+  /** True if the rows need an image. */
   readonly seen?: boolean;
   readonly rows: readonly Row[];
 }

@@ -5,7 +5,7 @@ import type { Row, Theme, Video } from './rows.js';
 
 const offsets = 'offsets-into-the-media-resource/';
 
-/** Where it is, and whether it is on its way, once the time was set. */
+/** Returns the position and the seeking state after the time was set. */
 const sought = async ({ media, loaded, event }: Kit<Video>, to: 'same' | 'less' | 'most' | number) => {
   await loaded();
   const before = [media.seeking, media.seekable.length];

@@ -6,7 +6,7 @@ import type { Row, Theme, Video } from './rows.js';
 const muted = 'user-interface/muted.html#';
 const OLDER = 'Chromium 156 follows the attribute of elements of the parser alone';
 
-/** Sets a loudness: what is thrown, and what it is afterwards. */
+/** Sets a volume; returns the exception, or the resulting value. */
 const volume = ({ media, thrown }: Kit<Video>, text: string) => [thrown(() => (media.volume = Number(text))), media.volume];
 
 const LOUDNESS: readonly (readonly [string, string, readonly unknown[]])[] = [
@@ -32,7 +32,7 @@ const toggle = ({ make }: Kit<Video>, hasAttribute: boolean) => {
   return seen;
 };
 
-/** What is so after each of some steps: `muted`, or what the step asks for. */
+/** Returns the state after each of some steps: `muted`, or the value that the step reads. */
 const steps = ({ make }: Kit<Video>, given: readonly string[]) => {
   const media = make();
   return given.map((step) => {
@@ -44,7 +44,7 @@ const steps = ({ make }: Kit<Video>, given: readonly string[]) => {
   });
 };
 
-/** Made by the parser; the backend and the like of a player count for nothing here. */
+/** Returns an element created by the parser; the backend and similar attributes of a player are irrelevant here. */
 const parsed = ({ tag }: Kit<Video>, attributes: string) => {
   const around = document.createElement('div');
   around.innerHTML = `<${tag} ${attributes}></${tag}>`;

@@ -1,9 +1,9 @@
-/** Steps of the specification that none of web-platform-tests asks by itself: order of tasks, speeds, seeks, what is let go of. */
+/** Steps of the specification that web-platform-tests does not cover separately: order of tasks, speeds, seeks, released resources. */
 
 import type { Kit } from '../media-kit.js';
 import type { Row, Theme, Video } from './rows.js';
 
-/** How much of the story passes in a while, as a share of what the speed says; the speed comes as it plays. */
+/** Returns the progress of the story over a period, as a share of the progress at that speed; the speed changes during playback. */
 const passed = async ({ media, loaded, until, wait }: Kit<Video>, rate: number) => {
   await loaded();
   await media.play();

@@ -8,7 +8,7 @@ const track = 'interfaces/TextTrack/';
 const list = 'interfaces/TextTrackList/';
 const cues = 'interfaces/TextTrackCueList/';
 
-/** Adds a track: what is thrown, or what it is. */
+/** Adds a track; returns the exception, or the track. */
 const added = ({ make, thrown }: Kit<Video>, given: readonly (string | null)[]) => {
   const element = make();
   let made: TextTrack | undefined;

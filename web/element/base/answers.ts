@@ -1,23 +1,23 @@
-/** What a learner has answered, as pages and minds are told. */
+/** A learner's answers, as passed to pages and minds. */
 
-/** What somebody has answered to a question. */
+/** Answer to a question. */
 export interface Answered {
   /** The question's name. */
   readonly name: string;
-  /** What was answered last; `QuestionKind` tells what it holds. Empty where the time was over. */
+  /** Last given answer; its form depends on `QuestionKind`. Empty if the time expired. */
   readonly given: readonly string[];
-  /** Left out where the question is not graded: nothing is right or wrong there. */
+  /** True if it is right; absent if the question is ungraded. */
   readonly isRight?: boolean;
   /** The names of the options that it fits. */
   readonly fits: readonly string[];
   readonly points: number;
-  /** How often it was answered. */
+  /** Number of tries. */
   readonly tries: number;
   /** It is answered for good: right, not graded, or there are no tries left. */
   readonly isFinal: boolean;
 }
 
-/** Points so far, and the most that there are. */
+/** Points up to now, and the maximum. */
 export interface Score {
   readonly points: number;
   readonly most: number;

@@ -1,6 +1,6 @@
 /** The story's clock: a straight line from the time of a source (the sound's) to story time. */
 
-/** Slowest and fastest speed of playing; at 0 time stands still. */
+/** Minimum and maximum playback rate; at 0 the time does not advance. */
 export const RATES = { min: 0.25, max: 4 } as const;
 
 /**
@@ -21,18 +21,18 @@ export class StoryClock {
     return this.#rate;
   }
 
-  /** Story time at a moment of the source. */
+  /** Returns the story time at a time of the source. */
   at(source: number): number {
     if (!this.#running) return this.#position;
     return this.#position + this.#rate * Math.max(0, source - this.#anchor);
   }
 
-  /** The moment of the source at which a story time comes. */
+  /** Returns the time of the source at a story time. */
   sourceAt(story: number): number {
     return this.#anchor + (story - this.#position) / this.#rate;
   }
 
-  /** Runs from `position` at the source's moment `anchor`. */
+  /** Runs from `position` at the source's time `anchor`. */
   start(position: number, anchor: number, rate: number): void {
     this.#position = position;
     this.#anchor = anchor;
@@ -63,7 +63,7 @@ export function formatTime(secs: number): string {
 
 type Unit = 'hour' | 'minute' | 'second';
 
-/** To make one takes longer than all the rest, and the bar is drawn often. */
+/** Cache of number formats: creating one takes longer than all the rest, and the bar is rendered often. */
 const formats = new Map<string, Intl.NumberFormat>();
 
 function formatOf(language: string, unit: Unit): Intl.NumberFormat {

@@ -14,7 +14,7 @@ export function hexOf(rgb: Linear): string {
   return `#${rgb.map(part).join('')}`;
 }
 
-/** The linear colour of `#rrggbb`; black where it is none. */
+/** Returns the linear colour of `#rrggbb`; black for other text. */
 export function linearOf(hex: string): Linear {
   const parts = /^#([\da-f]{2})([\da-f]{2})([\da-f]{2})$/i.exec(hex)?.slice(1) ?? [];
   const [r = 0, g = 0, b = 0] = parts.map((part) => Number(toLinear(Number.parseInt(part, 16) / 255).toFixed(4)));

@@ -2,16 +2,16 @@
 
 import type { Diagnostic } from './types.js';
 
-/** A mind that sends garbage does not fill the page with complaints. */
+/** Maximum number of diagnostics: a mind that sends invalid data does not fill the page with messages. */
 const MAX_DIAGNOSTICS = 200;
-/** What stays true when another figure performs. */
+/** Diagnostics that remain valid for another figure. */
 const OF_SOUND: readonly string[] = ['voice-missing', 'voice-not-installed', 'sound-missing'];
 
 export class Diagnostics {
   #list: readonly Diagnostic[] = [];
   readonly #reported: (diagnostic: Diagnostic) => void;
 
-  /** `reported` is called with each diagnostic that is reported by itself, when it is in the list. */
+  /** Creates the list; `reported` is called with each individually reported diagnostic, after it is in the list. */
   constructor(reported: (diagnostic: Diagnostic) => void) {
     this.#reported = reported;
   }
@@ -25,7 +25,7 @@ export class Diagnostics {
     this.#reported(diagnostic);
   }
 
-  /** Adds those of a story that was read again; `anew`: they replace all that were about its text. */
+  /** Adds the diagnostics of a story that was read again; with `anew` they replace all about its text. */
   addStory(diagnostics: readonly Diagnostic[], anew: boolean): void {
     this.#list = [...this.#list.filter((d) => !anew || d.start === undefined), ...diagnostics].slice(0, MAX_DIAGNOSTICS);
   }

@@ -1,10 +1,10 @@
-/** A face that a figure is given, and what its own does. */
+/** Face of a figure, and its animation. */
 
-/** How a face speaks, as numbers; `course.ts` decodes them. */
+/** Animation of a face by speech, as numbers; `course.ts` decodes them. */
 export interface FaceCourse {
   /** The controls of the face at even times. */
   readonly curves: Float32Array;
-  /** What the mouth goes through. */
+  /** Segments of speech that drive the mouth. */
   readonly segments: Float32Array;
   /** The phones of the segments. */
   readonly names: readonly string[];
@@ -16,13 +16,13 @@ export interface FigureFace {
   readonly skin: Float64Array;
   /** Centres of the eyes, turns that close the lids (radians), height of the chin. */
   readonly organs: Float64Array;
-  /** What the colours of each vertex, the irises and the brows are multiplied by. */
+  /** Factors of the colours of each vertex, the irises and the brows. */
   readonly factors: Float64Array | undefined;
-  /** What hair the head has and what it wears; without, those of the figure. */
+  /** Hair and accessories of the head; default: those of the figure. */
   readonly look?: FaceLook | undefined;
-  /** What is painted on the skin. */
+  /** Marks on the skin. */
   readonly marks?: readonly FaceMark[] | undefined;
-  /** It is on its way to another that differs little and follows, as while a slider is dragged: shown soon rather than finely. */
+  /** True for an intermediate face that differs little from the next one, as while a slider is dragged: shown fast rather than in full detail. */
   readonly moves?: boolean | undefined;
 }
 
@@ -40,18 +40,18 @@ export interface NaturalHair {
   readonly rgb: readonly [number, number, number];
 }
 
-/** Whose hair a head has, and its colour. */
+/** Source and colour of hair. */
 export interface HairLook {
-  /** `own`, `none` (shaved), `bald`, or the name of a file of the library in `hair/`; of a beard also `stubble`. */
+  /** Source: `own`, `none` (shaved), `bald`, or the name of a library file in `hair/`; for a beard also `stubble`. */
   readonly from?: string | undefined;
   /** As it is without. */
   readonly colour?: HairColour | undefined;
 }
 
-/** What can be worn on a head. */
+/** Kind of accessory on a head. */
 export type AccessoryKind = 'round-glasses' | 'square-glasses' | 'sunglasses' | 'ear-studs' | 'ear-rings' | 'nose-stud' | 'knitted-cap' | 'hat' | 'headscarf';
 
-/** A thing that is worn; its colour is linear, 0 to 1. */
+/** An accessory; its colour is linear, 0 to 1. */
 export interface Accessory {
   readonly kind: AccessoryKind;
   readonly colour: readonly [number, number, number];
@@ -60,46 +60,46 @@ export interface Accessory {
 /** Spots of skin that are finer than its vertices. */
 export type SpotKind = 'freckles' | 'stubble' | 'ageSpots' | 'moles';
 
-/** What hair a head has and what it wears. */
+/** Hair and accessories of a head. */
 export interface FaceLook {
   readonly hair?: HairLook | undefined;
   readonly beard?: HairLook | undefined;
-  /** How much of a beard that a figure lends, in looks of earlier versions. */
+  /** Part of a beard lent by a figure, in looks of earlier versions. */
   readonly cut?: 'full' | 'moustache' | 'goatee' | undefined;
   /** Colour of brows and lashes. */
   readonly brows?: HairColour | undefined;
   readonly wear?: readonly Accessory[] | undefined;
-  /** How many freckles there are, how far shaved hair shows, and how many spots age has left, 0 to 1. */
+  /** Amounts of freckles, of visible shaved hair, and of age spots, 0 to 1. */
   readonly freckles?: number | undefined;
   readonly stubble?: number | undefined;
   readonly ageSpots?: number | undefined;
-  /** How many moles there are. */
+  /** Number of moles. */
   readonly moles?: number | undefined;
-  /** Freckles, spots and moles lie elsewhere with another one: a whole number. */
+  /** Seed of the positions of freckles, spots and moles: a whole number. */
   readonly seed?: number | undefined;
   /** Colour of the irises, linear, 0 to 1; that of the face without. */
   readonly iris?: readonly [number, number, number] | undefined;
-  /** How far lines of age show at rest, 0 to 1. */
+  /** Visibility of age lines at rest, 0 to 1. */
   readonly lines?: number | undefined;
 }
 
-/** A place on the skin: three of its vertices and their shares, which sum to 1. The same place on every face. */
+/** A point of the skin: three of its vertices and their weights, which sum to 1. The same point on every face. */
 export interface FaceSpot {
   readonly corners: readonly [number, number, number];
   readonly shares: readonly [number, number, number];
 }
 
-/** What a tattoo shows. */
+/** Motif of a tattoo. */
 export type TattooShape = 'star' | 'heart' | 'cross' | 'anchor' | 'dots' | 'text';
 
-/** Something painted on the skin. */
+/** A mark painted on the skin. */
 export interface FaceMark extends FaceSpot {
   readonly kind: 'scar' | 'mole' | 'birthmark' | 'tattoo';
   /** Its length, metres. */
   readonly size: number;
   /** Turned clockwise by, radians. */
   readonly turn: number;
-  /** How strongly it shows, 0 to 1, which it is without. */
+  /** Opacity, 0 to 1. Default: 1. */
   readonly strength?: number | undefined;
   readonly shape?: TattooShape | undefined;
   /** Letters of a tattoo. */

@@ -1,45 +1,45 @@
 /**
- * Fetching: what has no end is not read to the end, and what does not come is not waited for. The size is
- * counted as it comes, whatever a server tells of it; patience is with silence, so that a slow network is none.
+ * Fetching with limits on size and silence. The size is counted as data arrive, whatever the server declares; the time limit applies to silence, so a slow
+ * network is accepted.
  */
 
 import { common } from './common.js';
 import { PlayerError } from './types.js';
 
-/** Receives how much of the work is done, 0 to 1. */
+/** Receives the share of completed work, 0 to 1. */
 export type Progress = (share: number) => void;
 
-/** A server that has sent nothing for so long will not. */
+/** Time without data after which a request fails, milliseconds. */
 const SILENCE_MS = 20_000;
 
-/** To whom cookies and the like are sent: to no server of another origin, unless the page's `crossorigin` says so. */
+/** Destinations of credentials such as cookies: no other origin, unless the page's `crossorigin` allows it. */
 export type Credentials = 'same-origin' | 'include';
 
-/** What is fetched, and how far. */
+/** Description and limits of a request. */
 export interface Fetching {
-  /** What it is, as the beginning of a sentence. */
+  /** Description of the resource, for the beginning of a sentence. */
   readonly what: string;
   /** More bytes are not read. */
   readonly most: number;
-  /** Nobody wants it any more. */
+  /** Signal that aborts the request. */
   readonly signal?: AbortSignal | undefined;
   readonly progress?: Progress | undefined;
-  /** Nothing has come for so long: it will not. */
+  /** Time without data after which the request fails, milliseconds. */
   readonly silenceMs?: number;
   readonly credentials?: Credentials | undefined;
   readonly request?: Omit<RequestInit, 'signal' | 'credentials'>;
 }
 
-/** What was asked for cannot be had; the message is a sentence with the address. */
+/** Error returned when a resource is not available; the message is a sentence with the address. */
 export class FetchError extends PlayerError {}
 
-/** There is no such file. */
+/** Error returned when a file does not exist. */
 class MissingError extends FetchError {}
 
 /** An address for people. */
 export const shown = (url: URL): string => (url.origin === globalThis.location?.origin ? url.pathname : url.href);
 
-/** That something is too large, before or while it is read. */
+/** Returns the error for a resource that is too large, before or while it is read. */
 export const tooLarge = (what: string, most: number): FetchError => new FetchError(`${what} is larger than ${Math.round(most / 1e6)} MB and was not read.`);
 
 /** One request, watched. */
@@ -49,7 +49,7 @@ class StallTimer {
   readonly #abort = new AbortController();
   readonly #stop = () => this.#abort.abort();
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** Why it was ended here. */
+  /** Reason why it was ended here. */
   #why: FetchError | undefined;
 
   constructor(url: URL, fetching: Fetching) {
@@ -88,7 +88,7 @@ class StallTimer {
     progress?.(1);
   }
 
-  /** What an error means. */
+  /** Returns the meaning of an error. */
   reason(error: unknown): unknown {
     const { what, signal } = this.#fetching;
     if (signal?.aborted) return signal.reason;
@@ -109,7 +109,7 @@ class StallTimer {
     this.#timer = setTimeout(silent, silenceMs);
   }
 
-  /** Ends it because there is no such file. */
+  /** Ends the request because the file does not exist. */
   missing(): FetchError {
     return this.#end(new MissingError(`${this.#fetching.what} was not found at ${shown(this.#url)}.`));
   }
@@ -155,21 +155,21 @@ if ((import.meta.url as string | undefined) === undefined) {
 const isPlaceOfBuild = import.meta.url.startsWith('file:') && !(globalThis.location?.protocol ?? 'file:').startsWith('file:');
 
 /**
- * Where this script is, for addresses that a build has made of its files. Under another name than the module's own: bundlers take
- * `new URL(…, import.meta.url)` for a file of the page that they build.
+ * Address of this script, for addresses of files that a build has made. It has another name than the module's own: bundlers treat `new URL(…,
+ * import.meta.url)` as a file of the page that they build.
  */
 export const SCRIPT = isPlaceOfBuild ? globalThis.location.href : import.meta.url;
 
-/** Where files are that do not lie beside the script: folders of the library. A page's own build may have left them behind. */
+/** Alternative location of files missing next to the script: folders of the library. A page's own build may have omitted them. */
 export const spare = common<{ library?: URL }>('spare', () => ({}));
 
 /** The player's files, in the library. */
 const PLAYER = 'player/';
 
-/** Where a file of a folder is in the library. */
+/** Returns the address of a folder's file in the library. */
 const spareOf = ({ pathname }: URL, library: URL, folder: string): URL => new URL(`${folder}${pathname.split('/').at(-1) ?? ''}`, library);
 
-/** As `fetchBytes`; compiled as it comes, where the server tells that it is wasm. */
+/** Fetches a module like `fetchBytes`; compiled as it arrives, if the server declares it as wasm. */
 export async function fetchModule(url: URL, fetching: Fetching): Promise<WebAssembly.Module> {
   try {
     return await compiled(url, fetching);
@@ -181,7 +181,7 @@ export async function fetchModule(url: URL, fetching: Fetching): Promise<WebAsse
   }
 }
 
-/** Where a script is that the browser itself fetches: beside this one, else in a folder of the library. */
+/** Returns the address of a script that the browser itself fetches: next to this one, else in a folder of the library. */
 export async function placeOf(url: URL, folder = PLAYER): Promise<URL> {
   const { library } = spare;
   if (library === undefined) return url;

@@ -1,28 +1,28 @@
-/** What happens as a story is performed, and what becomes of live fragments. All times are seconds. */
+/** Events of a story's performance, and results of live fragments. All times are seconds. */
 
 import type { Question } from './questions.js';
 import type { Utterance } from './types.js';
 
-/** Something that happens at a moment of the story. */
+/** An event at a time of the story. */
 export type Cue = {
   readonly timeSecs: number;
   /** The live fragment that it belongs to; absent for the story's own. */
   readonly fragment?: number;
 } & (
   | { readonly kind: 'word'; readonly utterance: number; readonly word: number; readonly text: string; readonly endSecs: number }
-  /** A phone begins; `symbol` is of the phone set that `phoneSet` names. Only what was baked has phones. */
+  /** A phone begins; `symbol` belongs to the phone set named by `phoneSet`. Only baked speech has phones. */
   | { readonly kind: 'phone'; readonly utterance: number; readonly symbol: string; readonly phoneSet: string; readonly endSecs: number }
   | { readonly kind: 'utterance'; readonly phase: 'start' | 'end'; readonly utterance: number; readonly text: string; readonly startSecs: number; readonly endSecs: number }
-  /** A moment that the story names by `timeId` or `tm`. */
+  /** A marker named in the story by `timeId` or `tm`. */
   | { readonly kind: 'mark'; readonly name: string }
   | ({ readonly kind: 'clause'; readonly phase: 'start' | 'end' } & ClauseRef)
   | { readonly kind: 'storyevent'; readonly type?: string; readonly payload: string }
   | Failure
 );
 
-/** Which clause of a story or fragment. */
+/** Reference to a clause of a story or fragment. */
 interface ClauseRef {
-  /** Its place, from 0. */
+  /** Index of the clause, from 0. */
   readonly clause: number;
   /** The EML element, for example `gesture-key`. */
   readonly element: string;
@@ -30,7 +30,7 @@ interface ClauseRef {
   readonly id?: string;
 }
 
-/** Something of a fragment is not performed, or not as meant. */
+/** Part of a fragment that is not performed, or not as intended. */
 interface Failure {
   readonly kind: 'failed' | 'warning';
   readonly timeSecs: number;
@@ -38,7 +38,7 @@ interface Failure {
   readonly code: string;
   readonly message: string;
   readonly hints?: readonly string[];
-  /** Where in the fragment, from 1, in characters. */
+  /** Location in the fragment, from 1, in characters. */
   readonly line?: number;
   readonly column?: number;
 }
@@ -55,24 +55,24 @@ export type Answer =
       readonly clauses: readonly (ClauseRef & { readonly startSecs: number; readonly endSecs: number })[];
     };
 
-/** What became of a fragment. */
+/** Result of a fragment. */
 export interface Performance {
   readonly events: readonly Answer[];
   readonly utterances: readonly Utterance[];
   /** The index of the first of them. */
   readonly firstUtterance: number;
-  /** What it asks. */
+  /** Its questions. */
   readonly questions: readonly Question[];
-  /** When all that is known is over. */
+  /** End of everything known. */
   readonly endSecs: number;
-  /** What it ended, where it was no fragment but `<interrupt/>`. */
+  /** Result of `<interrupt/>`, if the text was that instead of a fragment. */
   readonly cut?: InterruptionOutcome;
 }
 
-/** What fragments say and do has ended. */
+/** Result of an interruption of fragments. */
 export interface InterruptionOutcome {
-  /** When. */
+  /** Time of the interruption. */
   readonly atSecs: number;
-  /** When all that is known now is over. */
+  /** End of everything now known. */
   readonly endSecs: number;
 }

@@ -1,4 +1,4 @@
-/** Spans of time as media elements tell them (HTML, `TimeRanges`). */
+/** Time spans as in media elements (HTML, `TimeRanges`). */
 
 export type Span = readonly [startSecs: number, endSecs: number];
 
@@ -43,7 +43,7 @@ export function united(spans: readonly Span[]): Span[] {
   return found;
 }
 
-/** What is left of the time from 0 to an end without some spans. */
+/** Returns the time from 0 to an end, excluding some spans. */
 export function without(endSecs: number, spans: readonly Span[]): Span[] {
   const left: Span[] = [];
   let from = 0;
@@ -56,11 +56,11 @@ export function without(endSecs: number, spans: readonly Span[]): Span[] {
   return left;
 }
 
-/** What some spans have in common with others. */
+/** Returns the intersection of some spans with others. */
 export function common(spans: readonly Span[], others: readonly Span[]): Span[] {
   const pieces = united(spans).flatMap(([from, to]) => others.map(([start, end]): Span => [Math.max(from, start), Math.min(to, end)]));
   return united(pieces.filter(([from, to]) => to > from));
 }
 
-/** The time that spans take together, seconds. */
+/** Returns the total time covered by spans, seconds. */
 export const lengthOf = (spans: readonly Span[]): number => united(spans).reduce((sum, [from, to]) => sum + Math.max(0, to - from), 0);

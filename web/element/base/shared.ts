@@ -1,6 +1,6 @@
-/** What several may want at once: one request for all of them, which ends when nobody wants it any more. */
+/** Shared requests: one request for all users of a resource, which is aborted when none is left. */
 
-/** So long after the last one has left it goes on: the next story often wants the same. */
+/** Time for which a request continues after its last user has left, milliseconds: the next story often needs the same. */
 const GRACE_MS = 1000;
 
 interface SharedTask<T> {
@@ -19,8 +19,8 @@ export class SharedTasks<T> {
   }
 
   /**
-   * What `make` gives for a key: made once, and kept. What has failed is made again for the next who
-   * asks. Rejects with the signal's reason as soon as that is aborted; the others go on waiting.
+   * Returns the result of `make` for a key, created once and cached. A failed one is repeated for the next caller. Rejects with the signal's reason as soon as
+   * that is aborted; other callers keep waiting.
    */
   async get(key: string, signal: AbortSignal | undefined, make: (signal: AbortSignal) => Promise<T>): Promise<T> {
     signal?.throwIfAborted();

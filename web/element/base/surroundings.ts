@@ -1,15 +1,15 @@
 /**
- * What the document around a player tells it. Documents without a layout, as jsdom's and happy-dom's are, lack some of that: there
- * a player is never near a window and has no size, and nobody has asked for less motion.
+ * Environment of a player in its document. Documents without layout, like those of jsdom and happy-dom, lack parts of it: there a player is never near a
+ * window, has no size, and reduced motion is not requested.
  */
 
-/** So far from the window a player counts as near it. */
+/** Distance from the window up to which a player counts as near it. */
 const NEAR = '200px';
 
-/** Whether people have asked for less motion. */
+/** Returns true if the user prefers reduced motion. */
 export const reducesMotion = (): boolean => typeof matchMedia === 'function' && matchMedia('(prefers-reduced-motion: reduce)').matches;
 
-/** Watches the size of an element, and whether it is near the window. */
+/** Observes the size of an element, and its proximity to the window. */
 export class Surroundings {
   readonly #sizes: ResizeObserver | undefined;
   readonly #sights: IntersectionObserver | undefined;

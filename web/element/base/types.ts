@@ -1,22 +1,22 @@
-/** What the element, the engine and a page tell each other. All times are seconds. */
+/** Types shared by the element, the engine and a page. All times are seconds. */
 
 import type { Question, FlowEntry } from './questions.js';
 
-/** Something wrong with a story, its voice or its figure. The rest of the story plays. */
+/** Problem of a story, its voice or its figure. The rest of the story plays. */
 export interface Diagnostic {
   /** A stable short name, for example `unknown-hand-shape`. */
   readonly code: string;
   readonly severity: 'error' | 'warning';
   readonly message: string;
-  /** What to do about it, each a sentence. */
+  /** Hints for a fix, each a sentence. */
   readonly hints: readonly string[];
-  /** Where in the story; absent when it is not about the story's text. */
+  /** Location in the story; absent if it is not about the story's text. */
   readonly start?: Place;
   /** The end of the span, exclusive. */
   readonly end?: Place;
 }
 
-/** A place in the story's text. */
+/** Location in the story's text. */
 export interface Place {
   /** From 1. */
   readonly line: number;
@@ -26,7 +26,7 @@ export interface Place {
   readonly columnUtf16: number;
 }
 
-/** One spoken word; times are of the story. */
+/** A spoken word; times are of the story. */
 export interface Word {
   /** As written, punctuation attached. */
   readonly text: string;
@@ -44,7 +44,7 @@ export interface AudioFile {
   readonly mime: string;
 }
 
-/** Something said, at its place in the story. */
+/** An utterance with its time in the story. */
 export interface Utterance {
   readonly startSecs: number;
   readonly durationSecs: number;
@@ -53,19 +53,19 @@ export interface Utterance {
   readonly words: readonly Word[];
   /** The times were guessed because no recording was found. */
   readonly estimated: boolean;
-  /** It was interrupted: it ends before its recording does. */
+  /** True if it was interrupted: it ends before its recording does. */
   readonly cut?: boolean;
-  /** BCP 47 tag, where the bundle or the story's markup tells it. */
+  /** BCP 47 tag, if the bundle or the story's markup specifies it. */
   readonly language?: string;
-  /** Name of the voice that the story asks for here; absent where it is the story's own. */
+  /** Name of the voice that the story requests for it; absent for the story's own. */
   readonly voice?: string;
 }
 
-/** Whom a story chooses to perform it. */
+/** Performer chosen by a story. */
 export interface Performer {
   /** A name of the library, or a file in the story's folder. */
   readonly figure?: string;
-  /** Name of a voice, of the browser or of those who bake. */
+  /** Name of a voice, of the browser or of the baker. */
   readonly voice?: string;
   /** BCP 47 tag. */
   readonly language?: string;
@@ -81,73 +81,76 @@ export interface Story {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** How camera, light and music express what is felt. */
+/** Expression of emotions by camera, light and music. */
 export interface EnvironmentExpression {
-  /** The strongest emotion; `neutral` where nothing is felt. */
+  /** Strongest emotion; `neutral` if there is none. */
   readonly emotion: string;
-  /** How strong the events are that elicit it, 0 to 10. */
+  /** Strength of the eliciting events, 0 to 10. */
   readonly potential: number;
-  /** How strong it is just now, 0 to 10. */
+  /** Current intensity, 0 to 10. */
   readonly intensity: number;
   readonly shot: 'extremeCloseUp' | 'closeUp' | 'medium' | 'storyteller' | 'full' | 'long';
   readonly angle: 'eye' | 'high' | 'low';
-  /** The colour of the key light that the emotion asks for, sRGB, 0 to 255. */
+  /** Colour that the emotion gives to the key light, sRGB, 0 to 255. */
   readonly color: readonly [number, number, number];
-  /** What the key light loses by the emotion, 0 to 1. */
+  /** Attenuation of the key light by the emotion, 0 to 1. */
   readonly attenuation: number;
-  /** How bright the key light is against the stage's own. */
+  /** Brightness of the key light relative to the stage's own. */
   readonly brightness: number;
-  /** How good the mood is, usually -10 to 10. */
+  /** Valence of the mood, usually -10 to 10. */
   readonly valence: number;
-  /** How active, likewise. */
+  /** Arousal of the mood, likewise. */
   readonly arousal: number;
-  /** The files of the music that is heard. */
+  /** Files of the audible music. */
   readonly music: readonly string[];
 }
 
-/** A piece of music at its place in the story. */
+/** A piece of music with its time in the story. */
 export interface Piece {
   readonly startSecs: number;
-  /** When it has become silent; may be infinite. */
+  /** Time at which it is silent; may be infinite. */
   readonly endSecs: number;
-  /** Path from the story's folder, or from `music/` of the asset library. An `.opus` may have an `.mp3` beside it. */
+  /** Path from the story's folder, or from `music/` of the asset library. An `.opus` may be accompanied by an `.mp3`. */
   readonly file: string;
   readonly library: boolean;
   /** It begins again when it is over. */
   readonly loops: boolean;
-  /** How loud it is at story times; straight between them. */
+  /** Volume at story times; linear between them. */
   readonly level: readonly (readonly [atSecs: number, level: number])[];
 }
 
-/** Plain text, at once or in pieces. */
+/** Plain text, complete or in pieces. */
 export type Words = string | AsyncIterable<string> | ReadableStream<string>;
 
-/** A text that is being told. */
+/** A text that is being spoken. */
 export interface NarrationHandle {
-  /** Everything has been said, or it was interrupted; rejects with the error of the words' source, when what came before it has been said. */
+  /**
+   * Promise that resolves when everything has been spoken, or after an interruption; rejects with the error of the text source, once the text before it has
+   * been spoken.
+   */
   readonly done: Promise<void>;
-  /** Says no more, as `interrupt()` of the player. */
+  /** Stops speaking, like `interrupt()` of the player. */
   interrupt(): void;
 }
 
-/** Whether a mind listens. */
+/** Connection state of a mind. */
 export type MindState = 'connecting' | 'open' | 'closed';
 
-/** From where a page looks that looks behind the scenes: at the whole figure, unless it comes nearer. */
+/** View of a page for inspection: of the whole figure, unless zoomed in. */
 export interface View {
-  /** How far around the figure, radians; positive to its left. */
+  /** Azimuth around the figure, radians; positive to its left. */
   readonly turn: number;
-  /** From how far above, radians. */
+  /** Elevation, radians. */
   readonly tilt: number;
-  /** How many times nearer. */
+  /** Zoom factor. */
   readonly zoom: number;
-  /** How far the middle of the picture is moved to the right, metres. */
+  /** Offset of the image centre to the right, metres. */
   readonly right: number;
-  /** How far it is moved up, metres. */
+  /** Upward offset, metres. */
   readonly up: number;
 }
 
-/** Joints, targets and camera of the moment shown last, as numbers; `readPose` of `pose.ts` decodes them. */
+/** Joints, targets and camera of the last displayed frame, as numbers; `readPose` of `pose.ts` decodes them. */
 export interface PoseNumbers {
   /** Of the joints, then of the manipulators. */
   readonly names: readonly string[];
@@ -157,25 +160,25 @@ export interface PoseNumbers {
 /** A hand of the character. */
 export type Hand = 'left' | 'right';
 
-/** How much work goes into a picture. */
+/** Rendering quality. */
 export type Quality = 'auto' | 'lowest' | 'low' | 'medium' | 'high';
 
-/** What one picture took. */
+/** Statistics of one image. */
 export interface PictureStatistics {
-  /** The graphics adapter's own name, where the browser tells it. */
+  /** Name of the graphics adapter, if the browser reports it. */
   readonly adapter: string;
   /** The tier in force. */
   readonly quality: string;
   readonly drawCalls: number;
   /** Those of the figure, its shadows included. */
   readonly figureDrawCalls: number;
-  /** Drawn, all passes. */
+  /** Number of triangles drawn, all passes. */
   readonly triangles: number;
 }
 
-/** Figures about a player, for people who measure. */
+/** Performance statistics of a player. */
 export interface Statistics extends PictureStatistics {
-  /** From the beginning of loading to the first picture. */
+  /** Time from the start of loading to the first image, milliseconds. */
   readonly firstFrameMs: number;
   /** The files of story and figure, as they are after transport. */
   readonly bytes: { readonly story: number; readonly voice: number; readonly figure: number };
@@ -184,10 +187,10 @@ export interface Statistics extends PictureStatistics {
 /** The two builds. */
 export type Backend = 'webgpu' | 'webgl';
 
-/** Why a story cannot be played, as one sentence for people; codes are those of `MediaError`. */
+/** Error returned when a story cannot be played, with a one-sentence message for users; codes are those of `MediaError`. */
 export class PlayerError extends Error {
   override readonly name = 'PlayerError';
-  /** What is not there or cannot be read is, for a media element, not supported. */
+  /** Code of `MediaError` for an unsupported source, which in a media element includes missing and unreadable ones. */
   readonly code = 4;
   readonly MEDIA_ERR_ABORTED = 1;
   readonly MEDIA_ERR_NETWORK = 2;
@@ -198,20 +201,20 @@ export class PlayerError extends Error {
 /** Lights of the stage. */
 export type Light = 'stage' | 'daylight' | 'evening' | 'studio';
 
-/** Where a learner is and what they have answered. */
+/** Position and answers of a learner. */
 export interface PlayerState {
   readonly placeSecs: number;
-  /** What was answered. It and what follows may have gone through other hands since `state` told them. */
+  /** Given answers. This member and the following ones may have been altered since `state` returned them. */
   readonly answered: unknown;
   /** The variables of the story. */
   readonly values?: unknown;
-  /** What was set and is not set again. */
+  /** Assignments already made, which are not repeated. */
   readonly done?: unknown;
-  /** What is by chance for the learner: the order of options, and what is drawn of pools. */
+  /** Random seed of the learner: order of options, and draws from pools. */
   readonly seed?: unknown;
-  /** How far the learner has come, seconds. */
+  /** Furthest position of the learner, seconds. */
   readonly furthestSecs?: unknown;
-  /** What gotos have led over. */
+  /** Spans skipped by gotos. */
   readonly skipped?: unknown;
 }
 

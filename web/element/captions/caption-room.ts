@@ -1,11 +1,11 @@
-/** How much of the stage captions take. */
+/** Space that captions take on the stage. */
 
 import type { LitElement } from 'lit';
 
-/** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
+/** Maximum share of the stage height for captions: a larger caption would make the head too small. */
 const MAX_CAPTIONS = 0.2;
 
-/** The place of a whole caption on a stage, while there are captions. */
+/** Space of a full caption on a stage, while captions are enabled. */
 export class CaptionRoom {
   readonly #stage: LitElement;
   #place: Element | null = null;
@@ -20,12 +20,12 @@ export class CaptionRoom {
     return this.#share;
   }
 
-  /** Measures a place that is another one than before. */
+  /** Measures the space if it differs from the previous one. */
   follow(): void {
     if (this.#found() !== this.#place) this.measure();
   }
 
-  /** Looks how much of the stage it takes: where that may have changed, as to look lays the stage out. */
+  /** Measures the share of the stage, only if it may have changed, since measuring forces layout. */
   measure(): void {
     this.#place = this.#found();
     const { clientHeight } = this.#stage;

@@ -1,4 +1,4 @@
-/** Captions: lines of an utterance short enough to read at a glance, with the word being spoken. */
+/** Captions: lines of an utterance short enough to read at a glance, with the spoken word highlighted. */
 
 import { BreakStrength, breaksOf } from './phrases.js';
 import type { Utterance, Word } from '../base/types.js';
@@ -8,19 +8,19 @@ const LINE_CHARACTERS = 42;
 
 /** One caption. */
 export interface Caption {
-  /** When it appears: its first word's start. */
+  /** Start time: that of its first word. */
   readonly startSecs: number;
-  /** When it goes: the next caption's start, or a moment after its last word; at once where that was cut. */
+  /** End time: the next caption's start, or shortly after its last word; immediately if that was interrupted. */
   readonly endSecs: number;
   readonly words: readonly Word[];
   /** Index of the word that begins the second line; the number of words where there is one line. */
   readonly second: number;
 }
 
-/** How long a caption stays after its last word, so that a breath does not blink it away. */
+/** Time for which a caption remains after its last word, so it does not flicker at a breath. */
 const LINGER_SECS = 1.2;
 
-/** The captions of a story, in order. `language` is that of utterances that do not tell theirs. */
+/** Returns the captions of a story, in order. `language` applies to utterances without their own. */
 export function captionsOf(utterances: readonly Utterance[], language: string): Caption[] {
   const all = utterances.flatMap(({ words, cut, language: own = language }) => parts(words, own).map((part) => ({ ...part, linger: cut ? 0 : LINGER_SECS })));
   return all.map(({ words, second, linger }, i) => {
@@ -31,15 +31,15 @@ export function captionsOf(utterances: readonly Utterance[], language: string): 
   });
 }
 
-/** What it costs to end a caption, and a line within one, at each kind of place. */
+/** Cost of ending a caption, and a line within one, at each kind of break. */
 const CAPTION_COST = [0, 1, 5, 14, 26, 60];
 const LINE_COST = [0, 0, 3, 5, 11, 40];
-/** What it costs to read over each kind of place within a line. */
+/** Cost of continuing past each kind of break within a line. */
 const OVER_COST = [7, 14, 1, 0, 0, 0];
 /** A caption more, and a second line. */
 const CAPTION = 9;
 const SECOND_LINE = 2;
-/** A word alone, of no sentence of its own, is gone before it is read. */
+/** Cost of a single word that is not a whole sentence: it disappears before it is read. */
 const LONE_WORD = 10;
 /** Lines of one caption are about as long as each other. */
 const UNEVEN = 0.25;
@@ -49,14 +49,14 @@ interface Part {
   readonly second: number;
 }
 
-/** The best way to show the words up to some word: its cost, and its last caption. */
+/** Best segmentation up to some word: its cost, and its last caption. */
 interface CaptionLayout {
   cost: number;
   from: number;
   second: number;
 }
 
-/** Cuts words into captions so that all their breaks together are the best. */
+/** Splits words into captions with minimum total cost of the breaks. */
 function parts(words: readonly Word[], language: string): Part[] {
   const count = words.length;
   const texts = words.map((word) => word.text);
@@ -66,7 +66,7 @@ function parts(words: readonly Word[], language: string): Part[] {
   const end = (costs: readonly number[], i: number): number => (i === count ? 0 : (costs[breaks[i - 1] ?? BreakStrength.Any] ?? 0));
   const ends = (i: number): boolean => i === 0 || i === count || breaks[i - 1] === BreakStrength.Sentence;
   const lone = (from: number, to: number): number => (to - from === 1 && !(ends(from) && ends(to)) ? LONE_WORD : 0);
-  /** Calls for every end of a line that begins with a word, with its length and what it costs to read. */
+  /** Calls for every end of a line that begins with a word, with its length and its cost. */
   const lines = (from: number, each: (to: number, length: number, cost: number) => void): void => {
     let length = texts[from]?.length ?? 0;
     let cost = 0;
@@ -102,7 +102,7 @@ function parts(words: readonly Word[], language: string): Part[] {
   return found.reverse();
 }
 
-/** The caption at a time, and the index in it of the word being spoken (-1 in a pause). */
+/** Returns the caption at a time, and the index in it of the word being spoken (-1 in a pause). */
 export function captionAt(captions: readonly Caption[], secs: number): { caption: Caption; word: number } | undefined {
   const caption = captions[lastAtOrBefore(captions, secs)];
   if (caption === undefined || secs >= caption.endSecs) return undefined;

@@ -1,12 +1,11 @@
 /**
- * Where a text may be broken for the eye: after a sentence, at a pause, at a comma, before a word that
- * begins a phrase; never after one that leans on the next. The words are those of the languages that
- * are spoken here; elsewhere punctuation and pauses decide.
+ * Line-break positions in a text: after a sentence, at a pause, at a comma, before a word that begins a phrase; never after one that depends on the next. The
+ * word lists cover the supported languages; for others punctuation and pauses decide.
  */
 
 import type { Word } from '../base/types.js';
 
-/** How good the place after a word is, the best first. */
+/** Quality of a break after a word, best first. */
 export enum BreakStrength {
   Sentence,
   /** The speaker stops: the end of a line of verse. */
@@ -21,14 +20,14 @@ export enum BreakStrength {
 
 /** A sentence ends with the word. */
 const ENDS = /[.!?…]["'”’)]*$/;
-/** So does a part of one. */
+/** Punctuation at the end of a sentence part. */
 const PAUSES = /[,;:–—]["'”’)]*$/;
 const CAPITAL = /^[^\p{L}]?\p{Lu}/u;
-/** No sign of punctuation and closing is longer: what comes before need not be looked at. */
+/** Maximum length of trailing punctuation: earlier characters need not be examined. */
 const TAIL = 16;
-/** Longer words are none of those below. */
+/** Maximum length of the words in the lists below. */
 const MAX_WORD_LENGTH = 16;
-/** A silence that is heard as a stop, seconds: where a sentence would run on, and where a comma asks for a shorter one. */
+/** Silence perceived as a stop, seconds: without punctuation, and at a comma, where a shorter pause is usual. */
 const STOP_SECS = { bare: 0.18, comma: 0.32 } as const;
 
 /** Begin phrases: conjunctions, relative words, prepositions. */
@@ -42,7 +41,7 @@ const STARTS: Readonly<Record<string, ReadonlySet<string>>> = {
   ),
 };
 
-/** Lean on what follows: articles, prepositions, possessives, auxiliaries, negations. */
+/** Words that depend on the next one: articles, prepositions, possessives, auxiliaries, negations. */
 const LEANS: Readonly<Record<string, ReadonlySet<string>>> = {
   en: set(
     'a an the my your his her its our their this that these those no not of to in on at by for with without from into onto over under through and or but as than very so too is are was were be been has have had will would can could shall should may might must do does did i he she it we they who which every each some any',
@@ -66,7 +65,7 @@ function set(words: string): ReadonlySet<string> {
   return new Set(words.split(' '));
 }
 
-/** The place after each word but the last. `texts` are those of the words; `language` is a BCP 47 tag. */
+/** Returns the break after each word but the last. `texts` are those of the words; `language` is a BCP 47 tag. */
 export function breaksOf(words: readonly Word[], texts: readonly string[], language: string): Uint8Array {
   const own = language.toLowerCase().split('-')[0] ?? '';
   const [starts, leans, opens] = [STARTS[own], LEANS[own], OPENS[own]];
@@ -90,7 +89,7 @@ export function breaksOf(words: readonly Word[], texts: readonly string[], langu
   return breaks;
 }
 
-/** A word without what stands around it, in small letters; empty for long ones. */
+/** Returns a word without surrounding signs, in lower case; empty for long ones. */
 function bareOf(text: string): string {
   return text.length > MAX_WORD_LENGTH ? '' : text.toLowerCase().replace(/^[^\p{L}]+|[^\p{L}]+$/gu, '');
 }

@@ -1,4 +1,4 @@
-/** What the controls of a player say, in the language of the page around it. */
+/** Texts of a player's controls, in the language of the surrounding page. */
 
 export interface ControlWords {
   readonly player: string;
@@ -147,5 +147,5 @@ const DE: ControlWords = {
 
 const LANGUAGES: { readonly [language: string]: ControlWords | undefined } = { en: EN, pt: PT, de: DE };
 
-/** The words of a language, a tag of BCP 47; English where there are none. */
+/** Returns the texts of a language, a BCP 47 tag; English if there are none. */
 export const controlWords = (language: string): ControlWords => LANGUAGES[language.toLowerCase().split('-')[0] ?? ''] ?? EN;

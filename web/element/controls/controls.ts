@@ -1,4 +1,4 @@
-/** What lies over the picture: captions, controls and messages, as templates of the element's state. */
+/** Overlays of the image: captions, controls and messages, as templates of the element's state. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { Directive, directive, type ElementPart } from 'lit/directive.js';
@@ -12,7 +12,7 @@ import type { Diagnostic, Place } from '../base/types.js';
 /** Speeds offered in the menu. */
 const SPEEDS = [0.5, 0.75, 1, 1.25, 1.5, 2];
 
-/** What the bar shows. */
+/** State displayed by the bar. */
 export interface BarState {
   readonly words: ControlWords;
   /** Of the words, a tag of BCP 47. */
@@ -30,7 +30,7 @@ export interface BarState {
   readonly gone: boolean;
 }
 
-/** What the bar does. */
+/** Actions of the bar. */
 export interface BarActions {
   toggle(): void;
   seekTo(secs: number): void;
@@ -43,7 +43,7 @@ export interface BarActions {
 
 const number = (event: Event): number => Number((event.target as HTMLInputElement | HTMLSelectElement).value);
 
-/** How much of a slider is filled, percent. Lit's styleMap writes an inline style first, which a strict CSP refuses. */
+/** Sets the filled share of a slider, percent. Lit's styleMap writes an inline style first, which a strict CSP rejects. */
 const filled = directive(
   class extends Directive {
     override update(part: ElementPart, [percent]: [number]): void {
@@ -129,7 +129,7 @@ export function bar(state: BarState, actions: BarActions): TemplateResult {
   </div>`;
 }
 
-/** The caption with the word being spoken marked. */
+/** Returns the caption with the spoken word highlighted. */
 export function caption(now: ReturnType<typeof captionAt>): TemplateResult | typeof nothing {
   if (now === undefined) return nothing;
   // A space between words, inside the line: `mark` alone would glue them.
@@ -170,7 +170,7 @@ export function failure(words: ControlWords, message: string, retry: () => void)
   </div>`;
 }
 
-/** The picture is lost, the story is not; a film may stand in for it. */
+/** Returns the message for a lost rendering context: the story continues, and a film may replace the image. */
 export function pictureLost(words: ControlWords, recovering: boolean, hasFilm: boolean, retry: () => void): TemplateResult {
   return html`<div class="note" part="picture-lost">
     ${hasFilm ? words.filmShown : words.pictureLost}
@@ -187,7 +187,7 @@ export function bigButton(words: ControlWords, ended: boolean, play: (event: Mou
   </div>`;
 }
 
-/** How far loading is. */
+/** Returns the progress of loading. */
 export function loadingProgress(words: ControlWords, share: number): TemplateResult {
   return html`<div class="progress">
     <progress max="1" .value=${share} aria-label=${words.loading}></progress>

@@ -1,4 +1,4 @@
-/** The icons of the controls, drawn on a 24 × 24 grid. */
+/** Icons of the controls, drawn on a 24 × 24 grid. */
 
 import { svg, type SVGTemplateResult } from 'lit';
 

@@ -1,9 +1,9 @@
-/** Whether the user is active: controls hide after a while without a pointer or a key. */
+/** User activity: controls hide after a period without pointer or keyboard input. */
 
 /** The controls hide after this long without a pointer or key, while playing. */
 const HIDE_CONTROLS_MS = 2600;
 
-/** Measures how long there was no input. */
+/** Measures the time since the last input. */
 export class Idle {
   readonly #busy: () => boolean;
   readonly #changed: () => void;
@@ -11,7 +11,7 @@ export class Idle {
   #tapWoke = false;
   #is = false;
 
-  /** While `busy` says so, controls stay; `changed` is called when they come or go. */
+  /** Creates the timer. While `busy` returns true, controls stay; `changed` is called when they appear or disappear. */
   constructor(busy: () => boolean, changed: () => void) {
     this.#busy = busy;
     this.#changed = changed;

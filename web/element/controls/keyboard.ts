@@ -1,6 +1,6 @@
 /** The keys of a video player. */
 
-/** What keys do. */
+/** Actions of keys. */
 export interface KeyActions {
   toggle(): void;
   seekBy(secs: number): void;
@@ -9,15 +9,15 @@ export interface KeyActions {
   toggleMuted(): void;
   toggleCaptions(): void;
   toggleFullscreen(): void;
-  /** Closes an open panel; false when there was none. */
+  /** Closes an open panel; returns false if there was none. */
   dismiss(): boolean;
 }
 
-/** How far an arrow key goes. */
+/** Seek distance of an arrow key, seconds. */
 export const SEEK_STEP_SECS = 5;
 const VOLUME_STEP = 0.1;
 
-/** Does what a key asks for; true when the key was used. `target` is the innermost element that has the focus. */
+/** Performs the action of a key; returns true if the key was used. `target` is the innermost focused element. */
 export function handleKey(event: KeyboardEvent, target: EventTarget | undefined, actions: KeyActions): boolean {
   if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return false;
   const { key } = event;

@@ -7,15 +7,18 @@ import type { Story } from '../base/types.js';
 
 /** Beyond this an animation is not read; the library's largest has 14 KB, files of avatars some megabytes. */
 const MAX_BYTES = 32e6;
-/** A story waits so long for its animations; then it begins, and takes them as they come. */
+/** Maximum time that a story waits for its animations, milliseconds; then it starts, and takes them as they arrive. */
 const PATIENCE_MS = 4000;
-/** What comes within so long of another is taken with it: taking one reads the story again. */
+/** Time within which arriving animations are handed over together, milliseconds, since each hand-over reads the story again. */
 const TOGETHER_MS = 500;
 
 /** Texts by address. */
 const shared = new SharedTasks<string>();
 
-/** Where an animation is: a bare name in the library, a path in the story's folder; undefined for what reaches out of it. `FILE.glb#NAME` is one animation of several. */
+/**
+ * Returns the address of an animation: a bare name in the library, a path in the story's folder; undefined for a path outside it. `FILE.glb#NAME` is one
+ * animation of several.
+ */
 export function addressOf(name: string, library: URL, story: URL): URL | undefined {
   if (/^[\w-]+$/.test(name)) return new URL(`animations/${name}.json`, library);
   const folder = new URL('./', story);
@@ -35,11 +38,11 @@ async function fetchClip(url: URL, signal: AbortSignal, credentials: Credentials
 
 const after = (ms: number): Promise<void> => new Promise((done) => setTimeout(done, ms));
 
-/** The animations that an engine wants, as far as they have come; of one story, until that is not wanted any more. */
+/** Animations that an engine needs, as far as loaded; of one story, until it is no longer needed. */
 export class Animations {
   /** Names of those that were handed over last. */
   provided: readonly string[] = [];
-  /** What has come, by address; empty where it cannot be had, which the engine reports. The next story asks again. */
+  /** Loaded texts, by address; empty if unavailable, which the engine reports. The next story requests them again. */
   readonly #texts = new Map<string, string>();
   readonly #coming = new Map<string, Promise<void>>();
 
@@ -50,7 +53,7 @@ export class Animations {
     readonly credentials: Credentials = 'same-origin',
   ) {}
 
-  /** Hands over what has come; undefined when that is nothing. */
+  /** Hands over the loaded animations; returns undefined if there are none. */
   provide(engine: Engine, eml: string): Story | undefined {
     const text = (name: string) => this.#texts.get(addressOf(name, this.library, this.story)?.href ?? '');
     const names = engine.wantedAnimations().filter((name) => text(name) !== undefined || addressOf(name, this.library, this.story) === undefined);
@@ -64,13 +67,16 @@ export class Animations {
         );
   }
 
-  /** Fetches what has not come; undefined when that is nothing. Settles when all has come, when the story is not wanted any more, or after a while: a story goes on without what does not come. */
+  /**
+   * Fetches the missing animations; returns undefined if there are none. Settles when all have arrived, when the story is no longer needed, or after a time
+   * limit: a story continues without missing ones.
+   */
   fetch(engine: Engine): Promise<unknown> | undefined {
     const missing = this.#missing(engine);
     return missing && Promise.race([Promise.all(missing), after(PATIENCE_MS)]);
   }
 
-  /** As `fetch`; settles as soon as something has come, with what comes just then. */
+  /** Fetches like `fetch`; settles as soon as one has arrived, together with others that arrive shortly after. */
   next(engine: Engine): Promise<unknown> | undefined {
     const missing = this.#missing(engine);
     return missing && Promise.race(missing).then(() => Promise.race([Promise.all(missing), after(TOGETHER_MS)]));

@@ -6,7 +6,7 @@ import { fetchModule, SCRIPT } from '../base/fetching.js';
 import type { Engine } from '../base/engine.js';
 import type { Backend, Diagnostic, Performer } from '../base/types.js';
 
-/** How the engine reads where a palm looks: `crate/web/src/palm.rs`. */
+/** Palm functions of the engine: `crate/web/src/palm.rs`. */
 export interface PalmFunctions {
   /** Normal and fingers, 6 numbers; empty for a normal without direction. */
   handDirections(left: boolean, x: number, y: number, z: number, angle: number): Float64Array;
@@ -14,13 +14,15 @@ export interface PalmFunctions {
   palmOf(left: boolean, directions: Float64Array): Float64Array;
 }
 
-/** How the engine tells plain text: `crate/web/src/narration.rs`. Languages are tags of BCP 47. */
+/** Narration functions of the engine for plain text: `crate/web/src/narration.rs`. Languages are BCP 47 tags. */
 export interface NarrationFunctions {
-  /** The script of a text, phrase by phrase or not, so many characters of it; undefined where it has no word. */
+  /** Returns the script that narrates a text, phrase by phrase or not, up to a number of characters; undefined if it has no word. */
   narrate(text: string, language: string, phrased: boolean, most: number): string | undefined;
-  /** The fragment that goes on after a text that has left the feeling `felt`, and the feeling that this one leaves; undefined where it has no word. */
+  /**
+   * Returns the fragment that continues the narration after a text that ended with the emotion `felt`, and its own final emotion; undefined if it has no word.
+   */
   continueNarration(text: string, language: string, felt: string): { readonly fragment: string; readonly feels: string } | undefined;
-  /** The clauses of a text that comes piece by piece, and what may go on; with `whole` nothing more comes. */
+  /** Returns the clauses of a text that arrives in pieces, and the remainder that may continue; with `whole` the text is complete. */
   splitClauses(text: string, language: string, whole: boolean): { readonly clauses: readonly string[]; readonly rest: string };
 }
 
@@ -31,14 +33,14 @@ export interface Script {
   readonly problem?: Diagnostic;
 }
 
-/** What the JavaScript side of a build gives for one instance. */
+/** JavaScript interface of a build for one instance. */
 interface Instance extends PalmFunctions, NarrationFunctions {
   (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
   performerOf(eml: string): Performer;
   decodeScript(bytes: Uint8Array): Script;
-  /** What the instance was at when it trapped; 0 for nothing. */
+  /** Returns the activity during which the instance trapped; 0 for none. */
   doing(): number;
-  /** What the panic said that ended the instance; undefined where it was another trap. */
+  /** Returns the message of the panic that ended the instance; undefined for another trap. */
   panicMessage(): string | undefined;
   Player: { create(canvas: HTMLCanvasElement | undefined): Promise<Engine> };
 }
@@ -52,22 +54,22 @@ const urls: Record<Backend, string> = { webgpu: webgpuUrl, webgl: webglUrl };
 /** No build is larger. */
 const MAX_BYTES = 64e6;
 
-/** Compiled once a page, by address; each player has an instance of its own. */
+/** Compiled modules, once per page, by address; each player has its own instance. */
 const modules = new Map<string, Promise<WebAssembly.Module>>();
 const instances = new WeakMap<Engine, Instance>();
 
-/** As much of a `GPUAdapter` as tells whether a processor stands in for a graphics card; browsers tell it in different ways. */
+/** Members of a `GPUAdapter` that indicate software rendering; browsers report it in different ways. */
 export interface Adapter {
   readonly isFallbackAdapter?: boolean;
   readonly info?: { readonly isFallbackAdapter?: boolean; readonly architecture?: string; readonly description?: string };
 }
 
-/** Whether a processor draws. */
+/** Returns true for software rendering. */
 export function isSoftware({ isFallbackAdapter, info }: Adapter): boolean {
   return (isFallbackAdapter ?? info?.isFallbackAdapter ?? false) || /swiftshader|llvmpipe|basic render/i.test(`${info?.architecture} ${info?.description}`);
 }
 
-/** Back ends to try, the best first: WebGPU on a graphics card, WebGL2 where a processor draws, which it does several times faster. */
+/** Returns the back ends to try, best first: WebGPU on a graphics card, WebGL2 for software rendering, which it does several times faster. */
 export async function chooseBackends(): Promise<[Backend, ...Backend[]]> {
   const gpu = (navigator as { gpu?: { requestAdapter(): Promise<Adapter | null> } }).gpu;
   try {
@@ -80,7 +82,7 @@ export async function chooseBackends(): Promise<[Backend, ...Backend[]]> {
   }
 }
 
-/** Begins to fetch a build while the story is fetched, too; an engine made later says what went wrong. */
+/** Begins to fetch a build in parallel with the story; an engine created later reports errors. */
 export function warmUp(backend: Backend): void {
   Promise.all([scripts[backend](), compile(urls[backend])]).catch(() => undefined);
 }
@@ -93,7 +95,7 @@ export async function openInstance(backend: Backend): Promise<Instance> {
   return instance;
 }
 
-/** A fresh engine that draws on `canvas`, or one without a picture. */
+/** Creates an engine that renders to `canvas`, or one without rendering. */
 export async function createEngine(backend: Backend, canvas: HTMLCanvasElement | undefined): Promise<Engine> {
   const instance = await openInstance(backend);
   const engine = await instance.Player.create(canvas);
@@ -101,7 +103,7 @@ export async function createEngine(backend: Backend, canvas: HTMLCanvasElement |
   return engine;
 }
 
-/** The text of a script's bytes, and what is wrong with them: an instance says where bytes are no text. */
+/** Returns the text of a script's bytes, and their problems: an instance reports invalid bytes. */
 export async function decodeScript(backend: Promise<Backend>, bytes: Uint8Array): Promise<Script> {
   try {
     return { text: new TextDecoder('utf-8', { fatal: true }).decode(bytes) };
@@ -110,12 +112,12 @@ export async function decodeScript(backend: Promise<Backend>, bytes: Uint8Array)
   }
 }
 
-/** The performer that a text chooses, read by an instance of its own: there is no engine yet. */
+/** Returns the performer chosen by a text, read by a separate instance, since there is no engine yet. */
 export async function performerOf(backend: Backend, eml: string): Promise<Performer> {
   return (await openInstance(backend)).performerOf(eml);
 }
 
-/** What an engine was at when it trapped: a number of `Doing` in `trap.ts`. */
+/** Returns the activity during which an engine trapped: a number of `Doing` in `trap.ts`. */
 export function doingOf(engine: Engine): number {
   try {
     return instances.get(engine)?.doing() ?? 0;
@@ -125,7 +127,7 @@ export function doingOf(engine: Engine): number {
   }
 }
 
-/** What an engine's panic said, and where in its source; undefined where it ended otherwise. */
+/** Returns the message of an engine's panic, with its source location; undefined if it ended otherwise. */
 export function panicOf(engine: Engine): string | undefined {
   try {
     return instances.get(engine)?.panicMessage();

@@ -1,16 +1,16 @@
-/** Who performs: the bytes of a figure, and its pictures once it is read. */
+/** Performing figure: the bytes of a figure file, and its images once it is read. */
 
 import type { Engine } from '../base/engine.js';
 import { PlayerError, type Diagnostic, type Hand } from '../base/types.js';
 
-/** A figure as it came, ready for an engine. */
+/** A fetched figure, ready for an engine. */
 export interface FigureFile {
-  /** What the page calls it: a name of the library, an address, or the name of a user's file. */
+  /** Name used by the page: a library name, an address, or the name of a user's file. */
   readonly name: string;
-  /** Where it came from, for people. */
+  /** Origin of the file, for messages. */
   readonly where: string;
   readonly glb: Uint8Array;
-  /** What of a foreign avatar could not be used. */
+  /** Problems of an imported avatar. */
   readonly diagnostics: readonly Diagnostic[];
   /** The dominant hand, where the page chooses it. */
   readonly handedness?: Hand | undefined;
@@ -19,7 +19,7 @@ export interface FigureFile {
 /** A figure is not one that can be used. */
 export class FigureError extends PlayerError {}
 
-/** Why a figure cannot be used, with the file's name. */
+/** Returns the error for an unusable figure, with the file's name. */
 export function unusable(where: string, error: unknown): FigureError {
   const reason = (error instanceof Error ? error.message : String(error)).replace(/[.\s]+$/, '');
   return new FigureError(`The figure ${where} cannot be used: ${reason}.`, { cause: error });
@@ -27,14 +27,14 @@ export function unusable(where: string, error: unknown): FigureError {
 
 const GLB_MAGIC = 0x46546c67;
 
-/** Whether the file is glTF as text: a brace, perhaps after a byte order mark and white space. The engine reads only the binary form. */
+/** Returns true if the file is textual glTF: a brace, optionally after a byte order mark and white space. The engine reads only the binary form. */
 function isText(bytes: Uint8Array): boolean {
   const mark = bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf ? 3 : 0;
   const first = bytes.subarray(mark).find((byte) => byte !== 0x20 && (byte < 0x09 || byte > 0x0d));
   return first === 0x7b;
 }
 
-/** Whether the engine reads these bytes itself; an avatar made elsewhere has other bones. Broken files are the engine's to name. */
+/** Returns true if the engine reads these bytes itself; an imported avatar has other bones. The engine reports broken files. */
 export function isNative(bytes: Uint8Array): boolean {
   if (isText(bytes)) return false;
   const header = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -56,7 +56,9 @@ export async function prepareFigure(name: string, where: string, bytes: Uint8Arr
   }
 }
 
-/** Decodes the pictures of the figure that an engine has read, and hands them over while that figure is the `current` one; tells those that are broken. */
+/**
+ * Decodes the images of the figure that an engine has read, and hands them over while that figure is the `current` one; returns diagnostics for broken ones.
+ */
 export async function showImages(engine: Engine, current: () => boolean): Promise<Diagnostic[]> {
   const broken: Diagnostic[] = [];
   const images = Array.from({ length: engine.imageCount() }, (_, i) => i);

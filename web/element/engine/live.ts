@@ -6,7 +6,7 @@ import type { Utterance } from '../base/types.js';
 /** As long as the engine remembers ended fragments. */
 const KEEP_SECS = 300;
 
-/** Utterances by the index that cues give. */
+/** Utterances by the index in cues. */
 export class LiveScript implements Iterable<Utterance> {
   #story: readonly Utterance[];
   readonly #live = new Map<number, Utterance>();
@@ -38,10 +38,7 @@ export class LiveScript implements Iterable<Utterance> {
     return [...this].sort((a, b) => a.startSecs - b.startSecs);
   }
 
-  /**
-   * Ends what fragments say. What becomes of each utterance that does not stay as it was: a shorter
-   * one, or nothing where it has not begun.
-   */
+  /** Ends the speech of fragments. Returns the replacement of each changed utterance: a shorter one, or undefined if it has not begun. */
   cut(atSecs: number): Map<Utterance, Utterance | undefined> {
     const changes = new Map<Utterance, Utterance | undefined>();
     for (const [index, utterance] of this.#live) {
@@ -65,7 +62,7 @@ export class LiveScript implements Iterable<Utterance> {
     this.#live.clear();
   }
 
-  /** Another text; an utterance that stays as it was keeps its sound. Whether anything that is said has changed. */
+  /** Replaces the text; an unchanged utterance keeps its audio. Returns true if any speech has changed. */
   replace(story: readonly Utterance[]): boolean {
     this.forget();
     const before = this.#story;

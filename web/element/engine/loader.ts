@@ -1,4 +1,4 @@
-/** Fetches what a story needs, with errors that say in a sentence what is wrong. */
+/** Fetches the files of a story, with one-sentence error messages. */
 
 import { Animations } from './animations.js';
 import type { Script } from './backend.js';
@@ -9,51 +9,51 @@ import { PlayerError, type Diagnostic } from '../base/types.js';
 
 /** Beyond this a story is not a story, and the page would freeze; the white rabbit has 20 KB. */
 const MAX_STORY_BYTES = 16e6;
-/** What a story has in which something is said, or in which a figure waits for lines. */
+/** Pattern of a story that contains speech, or whose figure waits for lines. */
 const SPEAKS = /<([\w.-]+:)?(voice-(text|say)\b|body\s*(\/>|>\s*<\/))/;
 /** Figures have a budget of 3 MB; a user's own avatar may be larger. */
 const MAX_FIGURE_BYTES = 100e6;
 
-/** Everything that a story needs, as it came. */
+/** All fetched files of a story. */
 export interface StoryFiles {
   readonly eml: string;
-  /** What is wrong with the bytes of its file. */
+  /** Encoding problem of its file. */
   readonly problem?: Diagnostic | undefined;
-  /** Of what tells no language itself: that of the page, a tag of BCP 47. */
+  /** Default language: that of the page, a BCP 47 tag. */
   readonly language: string;
-  /** Where the text is; the page, when it has no file. */
+  /** Address of the text; the page, if it has no file. */
   readonly story: URL;
   /** The text of `voice/speech.json`; undefined when the story has no recorded voice. */
   readonly bundle: Uint8Array | undefined;
   readonly figure: FigureFile;
-  /** Where the recordings lie. */
+  /** Folder of the recordings. */
   readonly voiceFolder: URL;
   readonly animations: Animations;
   /** The text is not that of the file any more. */
   readonly edited?: boolean;
 }
 
-/** How long something is wanted, and who hears how much of it has come. */
+/** Abort signal and progress listener of a request. */
 export interface RequestedFiles {
   readonly signal: AbortSignal;
   readonly progress: Progress;
   readonly credentials?: Credentials;
 }
 
-/** Which story is to be fetched. */
+/** Story to fetch. */
 export interface StoryRequest {
   readonly src: string | undefined;
-  /** Takes the file's place. */
+  /** Text that replaces the file. */
   readonly text: string | undefined;
-  /** It is being edited, and is not what the page came with. */
+  /** True if it is being edited, and differs from the page's original. */
   readonly edited: boolean;
   readonly language: string;
-  /** Lines may come that the story's own text does not have. */
+  /** True if lines may be added that the story's own text does not contain. */
   readonly expectsLines: boolean;
   readonly credentials: Credentials;
 }
 
-/** A story's folder is where its file is; its voice lies in `voice/` beside it. Without a file it has no voice. */
+/** Fetches a story. Its folder is that of its file; its voice is in `voice/` next to it. Without a file it has no voice. */
 export async function fetchStory(
   { src, text, edited, language, expectsLines, credentials }: StoryRequest,
   library: URL,
@@ -98,7 +98,7 @@ function urlOfFigure(figure: string, library: URL): URL {
 /** Figures are the largest files and are shared by the players of a page. */
 const figures = new SharedTasks<Uint8Array>();
 
-/** A figure by its name in the library or its address, or where it lies for certain. */
+/** Fetches a figure by its name in the library or its address, or from a known location. */
 export async function fetchFigure(figure: string, library: URL, wanted: RequestedFiles, url = urlOfFigure(figure, library)): Promise<FigureFile> {
   const { signal, progress, credentials } = wanted;
   const bytes = await figures.get(url.href, signal, (signal) => fetchBytes(url, { what: 'The figure', most: MAX_FIGURE_BYTES, signal, credentials, progress }));

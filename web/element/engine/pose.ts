@@ -1,4 +1,7 @@
-/** Decodes what `pose()` of the element gives: where joints and targets are, and how points of the world lie on the canvas. Only pages that draw over the picture load this. */
+/**
+ * Decoder of the element's `pose()`: positions of joints and targets, and the projection of world points onto the canvas. Loaded only by pages that draw over
+ * the image.
+ */
 
 import type { PoseNumbers } from '../base/types.js';
 
@@ -16,21 +19,21 @@ export interface PosedJoint {
   readonly name: string;
   /** Index of its parent; -1 for the root. */
   readonly parent: number;
-  /** Where it is. */
+  /** Position. */
   readonly position: Vector;
   /** Columns of its rotation: its own axes. */
   readonly axes: readonly [Vector, Vector, Vector];
 }
 
-/** Where a hand or foot was sent. */
+/** Target of a hand or foot. */
 export interface Target {
   readonly name: string;
   readonly position: Vector;
-  /** How far from there it ended, metres. */
+  /** Distance from the target, metres. */
   readonly error: number;
 }
 
-/** The moment that a player has shown last. */
+/** Last displayed pose of a player. */
 export interface PoseNow {
   readonly joints: readonly PosedJoint[];
   readonly targets: readonly Target[];
@@ -55,7 +58,7 @@ class Numbers {
   }
 }
 
-/** What the numbers of a pose say; undefined before there is a figure. */
+/** Decodes the numbers of a pose; undefined before there is a figure. */
 export function decodePose({ names, numbers }: { readonly names: readonly string[]; readonly numbers: ArrayLike<number> }): PoseNow | undefined {
   if (numbers.length === 0) return undefined;
   const reader = new Numbers(numbers);
@@ -70,7 +73,7 @@ export function decodePose({ names, numbers }: { readonly names: readonly string
   return { joints, targets, camera, origin, metresPerUnit };
 }
 
-/** What a player shows now; undefined before it shows anything. */
+/** Returns the present pose of a player; undefined before it shows a frame. */
 export function readPose(player: { pose(): PoseNumbers | undefined }): PoseNow | undefined {
   const told = player.pose();
   return told && decodePose(told);
@@ -80,25 +83,25 @@ export const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1]
 export const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const cross = (a: Vector, b: Vector): Vector => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 export const along = (a: Vector, d: Vector, s: number): Vector => [a[0] + d[0] * s, a[1] + d[1] * s, a[2] + d[2] * s];
-/** A direction of length 1; away from the audience for what has none. */
+/** Normalises a direction; returns the direction away from the audience for a zero vector. */
 export const unit = (a: Vector): Vector => {
   const length = Math.hypot(...a);
   return length > 0 ? [a[0] / length, a[1] / length, a[2] / length] : [0, 0, -1];
 };
 
-/** The camera of a picture: from the world to the canvas and back. */
+/** Camera of an image: from the world to the canvas and back. */
 export class Lens {
-  /** Where it looks, and the picture's right and upper edge. */
+  /** View direction, and the vectors to the image's right and upper edge. */
   readonly forward: Vector;
   readonly right: Vector;
   readonly up: Vector;
-  /** Half the picture's height and width at distance 1. */
+  /** Half the image's height and width at distance 1. */
   readonly #halfHeight: number;
   readonly #halfWidth: number;
 
   constructor(
     readonly eye: Vector,
-    /** The point that it looks at. */
+    /** Target point of the camera. */
     readonly target: Vector,
     fovYRad: number,
     aspect: number,
@@ -122,7 +125,7 @@ export class Lens {
     return [0, 1, 2, 3].flatMap((column) => rows.map((r) => r[column] ?? 0));
   }
 
-  /** Where a point lies on a canvas of this size; undefined behind the camera. */
+  /** Projects a point to a canvas of this size; undefined behind the camera. */
   project(point: Vector, width: number, height: number): ScreenPoint | undefined {
     const from = minus(point, this.eye);
     const depth = dot(from, this.forward);
@@ -143,7 +146,7 @@ export class Lens {
     return along(this.eye, ray, dot(minus(through, this.eye), normal) / slope);
   }
 
-  /** Pixels that a metre takes at a point. */
+  /** Returns the pixels per metre at a point. */
   pixelsPerMetre(point: Vector, height: number): number {
     return height / (2 * this.#halfHeight * Math.max(this.near, dot(minus(point, this.eye), this.forward)));
   }

@@ -1,4 +1,4 @@
-/** What an engine was at when it trapped, as a sentence with the file's name. */
+/** Activity of a trapped engine, as a sentence with the file's name. */
 
 import { doingOf, panicOf } from './backend.js';
 import { shown } from '../base/fetching.js';
@@ -6,7 +6,7 @@ import type { StoryFiles } from './loader.js';
 import type { Engine } from '../base/engine.js';
 import { PlayerError } from '../base/types.js';
 
-/** The numbers that `doing` of `crate/web` gives. */
+/** Numbers returned by `doing` of `crate/web`. */
 export const Doing = {
   Nothing: 0,
   Figure: 1,
@@ -19,12 +19,12 @@ export const Doing = {
   Drawing: 8,
 } as const;
 
-/** Whether an error is an engine's death: its memory is suspect, and it is not used again. */
+/** Returns true if an error is an engine trap: its memory is suspect, and it is not used again. */
 export function isTrap(error: unknown): boolean {
   return error instanceof WebAssembly.RuntimeError || (error instanceof Error && error.cause instanceof WebAssembly.RuntimeError);
 }
 
-/** What was being done, by the number that the engine gives. */
+/** Describes an activity by the engine's number. */
 export function describeDoing(
   doing: number,
   { figure, story, voiceFolder, edited }: Pick<StoryFiles, 'figure' | 'story' | 'voiceFolder' | 'edited'>,
@@ -55,7 +55,7 @@ export function describeDoing(
   }
 }
 
-/** The error for a trap: what the engine was at, and what its panic or else the browser says. */
+/** Returns the error for a trap: the engine's activity, and the message of its panic or else of the browser. */
 export function trapError(engine: Engine, files: StoryFiles, error: unknown): PlayerError {
   const reason = (panicOf(engine) ?? (error instanceof Error ? error.message : String(error))).replace(/[.\s]+$/, '');
   const doing = describeDoing(doingOf(engine), files, files.animations.provided);

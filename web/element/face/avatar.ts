@@ -1,4 +1,4 @@
-/** Avatars made elsewhere; fetched only by pages that meet one. */
+/** Import of avatars; fetched only by pages that encounter one. */
 
 import instantiate from '../../pkg/avatar/raconteur.js';
 import wasmUrl from '../../pkg/avatar/raconteur_bg.wasm?url';
@@ -28,11 +28,11 @@ interface Instance {
     files: readonly Uint8Array[],
     painted: Uint8Array | undefined,
   ): Uint8Array;
-  /** What the panic said that ended the instance. */
+  /** Returns the message of the panic that ended the instance. */
   panicMessage(): string | undefined;
 }
 
-/** What a file of a figure with a face is made of. */
+/** Sources of a figure file with a face. */
 export interface FaceFile {
   /** The name of the new figure. */
   readonly name: string;
@@ -41,7 +41,7 @@ export interface FaceFile {
   readonly face: FigureFace;
   /** Files of figures that lend hair, by name. */
   readonly lent: ReadonlyMap<string, Uint8Array>;
-  /** The painted picture of the skin. */
+  /** Painted image of the skin. */
   readonly painted: Uint8Array | undefined;
 }
 
@@ -53,7 +53,7 @@ async function open(): Promise<Instance> {
   return instance;
 }
 
-/** What an instance gives; where it ends by a panic, what that says is the error. */
+/** Returns the result of an instance; a panic's message becomes the error. */
 async function use<T>(work: (instance: Instance) => T): Promise<T> {
   const instance = await open();
   try {
@@ -64,17 +64,17 @@ async function use<T>(work: (instance: Instance) => T): Promise<T> {
   }
 }
 
-/** The figure that an avatar makes; throws an `Error` that says what is wrong with the file. */
+/** Converts an avatar to a figure; throws an `Error` that describes the fault of the file. */
 export async function convertAvatar(name: string, bytes: Uint8Array): Promise<{ glb: Uint8Array; diagnostics: Diagnostic[] }> {
   return await use((instance) => instance.convert(name, bytes));
 }
 
-/** The text of a clip that an animation of a foreign file makes: the one of this name, or the first. Throws an `Error` that says what is wrong. */
+/** Converts an animation of a foreign file to the text of a clip: the one of this name, or the first. Throws an `Error` that describes the fault. */
 export async function convertAnimation(name: string, bytes: Uint8Array): Promise<string> {
   return await use((instance) => instance.convertAnimation(name, bytes));
 }
 
-/** A figure with a face as a figure file, which any story can use. Throws an `Error` that says what is wrong. */
+/** Returns a figure with a face as a figure file, which any story can use. Throws an `Error` that describes the fault. */
 export async function faceFile({ name, glb, face, lent, painted }: FaceFile): Promise<Uint8Array> {
   const { skin, organs, factors, look } = face;
   return await use((instance) => instance.faceFile(name, glb, skin, organs, factors ?? new Float64Array(), toldLook(look), [...lent.keys()], [...lent.values()], painted));

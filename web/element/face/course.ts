@@ -1,4 +1,7 @@
-/** Decodes what `course()` of the element gives: the controls of the face over time, and the segments of speech that move the mouth. Only pages that draw them load this. */
+/**
+ * Decoder of the element's `course()`: the controls of the face over time, and the segments of speech that drive the mouth. Loaded only by pages that plot
+ * them.
+ */
 
 import type { FaceCourse } from '../base/face-types.js';
 
@@ -11,14 +14,14 @@ export interface Segment {
   readonly held: readonly [from: number, to: number];
   /** Magnitude of its dominance over the lips' opening. */
   readonly alpha: number;
-  /** How fast dominance rises before and falls after, 1/s. */
+  /** Rates at which dominance rises before and falls after, 1/s. */
   readonly rates: readonly [before: number, after: number];
 }
 
 /** The numbers of a segment: the layout of `Player::segments` in `crate/web`. */
 const SEGMENT = ['start', 'end', 'heldFrom', 'heldTo', 'opening', 'rounding', 'spreading', 'tongue', 'before', 'after'] as const;
 
-/** The segments of everything that is said, in order. */
+/** Returns the segments of all speech, in order. */
 export function segmentsOf({ segments, names }: FaceCourse): readonly Segment[] {
   return names.map((name, i) => {
     const value = (field: (typeof SEGMENT)[number]): number => segments[i * SEGMENT.length + SEGMENT.indexOf(field)] ?? 0;
@@ -34,8 +37,8 @@ export function segmentsOf({ segments, names }: FaceCourse): readonly Segment[] 
 }
 
 /**
- * What comes after the muscles, which stand in the order of `crate/tissue/src/muscles.tsv`, those on two sides twice.
- * Jaw: radians and metres; the others 0 or -1 to 1. The layout of `Player::face_curves` in `crate/web`.
+ * Controls after the muscles, which are in the order of `crate/tissue/src/muscles.tsv`, with those on two sides twice. Jaw: radians and metres; the others 0
+ * or -1 to 1. The layout of `Player::face_curves` in `crate/web`.
  */
 export const DIRECT_CONTROLS = [
   'jawPitch',

@@ -1,15 +1,15 @@
-/** What a face on a figure needs beside its numbers: hair that other figures lend, and paint on its skin. */
+/** Parts of a face on a figure in addition to its numbers: hair lent by other figures, and paint on its skin. */
 
 import type { PaintedSkin } from './marks.js';
 import type { Engine } from '../base/engine.js';
 import type { FaceLook, FigureFace } from '../base/face-types.js';
 
-/** What is said of hair and is no file: the figure's own, none, none ever, and what is painted. */
+/** Hair values that are not file names: the figure's own, none, permanently none, and painted hair. */
 const NOT_LENT: readonly string[] = ['', 'own', 'none', 'bald'];
 
-/** Hair that figures lent themselves, before it had files of its own. */
+/** Hair formerly lent by figures, before it had files of its own. */
 export const FORMER_HAIR: Readonly<Record<string, string>> = { sofia: 'bob', lia: 'long', amara: 'bun', kenji: 'crop', nuno: 'tousled', papous: 'swept' };
-/** The beards that one figure lent, by how much of it. */
+/** Beards formerly lent by one figure, by extent. */
 const FORMER_BEARDS = { full: 'full', moustache: 'moustache', goatee: 'goatee' } as const;
 /** It is painted on the skin. */
 const STUBBLE = 'stubble';
@@ -21,7 +21,7 @@ export function lendersOf({ look }: FigureFace): string[] {
   return [...new Set(names as string[])];
 }
 
-/** A look with names that hair has now, and without keys that have no value: to engines such a key has one. */
+/** Returns a look with present hair names, and without keys that have no value: to engines such a key has one. */
 export function plainLook(look: FaceLook | undefined): FaceLook | undefined {
   if (look === undefined) return undefined;
   const { cut = 'full', ...plain } = JSON.parse(JSON.stringify(look)) as FaceLook;
@@ -29,7 +29,7 @@ export function plainLook(look: FaceLook | undefined): FaceLook | undefined {
   return { ...plain, ...(hair && { hair: { ...plain.hair, from: hair } }), ...(beard && { beard: { ...plain.beard, from: beard } }) };
 }
 
-/** A look as engines read it: what is painted is none of their strands. */
+/** Returns a look as engines read it, without painted parts, which have no strands. */
 export function toldLook(look: FaceLook | undefined): FaceLook | undefined {
   const plain = plainLook(look);
   return plain?.beard?.from === STUBBLE ? { ...plain, beard: { ...plain.beard, from: 'none' } } : plain;
@@ -38,7 +38,7 @@ export function toldLook(look: FaceLook | undefined): FaceLook | undefined {
 /** Files of hair, by name. */
 export type DonorHair = ReadonlyMap<string, Uint8Array>;
 
-/** Gives the figure that an engine has read a face. Throws what the engine says of a face that it cannot have. */
+/** Sets a face on the figure that an engine has read. Throws the engine's error for an incompatible face. */
 export function applyFace(engine: Engine, face: FigureFace, lent: DonorHair): void {
   const { skin, organs, factors, look, moves = false } = face;
   for (const name of lendersOf(face)) {
@@ -48,30 +48,30 @@ export function applyFace(engine: Engine, face: FigureFace, lent: DonorHair): vo
   engine.setFace(skin, organs, factors ?? new Float64Array(), toldLook(look), moves);
 }
 
-/** What is painted on a skin besides marks. */
+/** Skin paint other than marks. */
 export interface SkinPaint {
   /** 0 to 1. */
   readonly freckles: number;
   readonly stubble: number;
-  /** How grey stubble is, 0 to 1. */
+  /** Greyness of stubble, 0 to 1. */
   readonly grey: number;
   /** 0 to 1. */
   readonly ageSpots: number;
-  /** How many. */
+  /** Number of moles. */
   readonly moles: number;
-  /** Of the places of freckles, spots and moles. */
+  /** Seed of the positions of freckles, spots and moles. */
   readonly seed: number;
 }
 
-/** Steps of freckles and stubble: what changes less is not painted again. */
+/** Number of steps of freckles and stubble: smaller changes are not repainted. */
 const STEPS = 25;
 /** Under a beard of tufts the skin is as if it were shaved. */
 const UNDER: Readonly<Record<string, number>> = { [STUBBLE]: 1, full: 0.8, boxed: 0.9 };
-/** Nobody's face has more. */
+/** Maximum number of moles. */
 const MAX_MOLES = 12;
 const stepped = (x: number): number => Math.round(Math.min(1, Math.max(0, x)) * STEPS) / STEPS;
 
-/** What a look paints. */
+/** Returns the paint of a look. */
 export function paintOf(look: FaceLook | undefined): SkinPaint {
   const { freckles = 0, stubble = 0, ageSpots = 0, moles = 0, seed = 0, hair, beard } = plainLook(look) ?? {};
   const grey = (beard?.colour ?? hair?.colour)?.grey ?? 0;
@@ -97,13 +97,16 @@ const NOTHING = textOf({});
 
 /** The paint on the skin of one figure. */
 export class SkinPainter {
-  /** What is painted now, as text, and whether it is so finely. */
+  /** Present paint, as text, with its level of detail. */
   #painted = NOTHING;
   #isFine = true;
   #fine: PaintedSkin | undefined;
   #soon: PaintedSkin | undefined;
 
-  /** Paints marks, spots, stubble, and the scalp of other hair on the skin that an engine shows; what is there already is not painted again. That of a face that moves is painted soon rather than finely. `current` says whether the figure is still that one. */
+  /**
+   * Paints marks, spots, stubble, and the scalp under other hair on the skin that an engine shows; existing paint is not repeated. The paint of a moving face
+   * is fast rather than fine. `current` returns false if the figure has been replaced.
+   */
   async put(engine: Engine, face: Partial<FigureFace>, current: () => boolean): Promise<void> {
     const wanted = textOf(face);
     const isFine = face.moves !== true;
@@ -116,7 +119,7 @@ export class SkinPainter {
     skin.paint(engine, face.marks ?? [], paintOf(face.look));
   }
 
-  /** The painted picture as a JPEG; undefined where nothing is painted. */
+  /** Returns the painted image as a JPEG; undefined if nothing is painted. */
   async file(): Promise<Uint8Array | undefined> {
     return this.#painted === NOTHING ? undefined : await this.#fine?.file();
   }

@@ -11,20 +11,20 @@ const MAX_BYTES = 64e6;
 /** Shape or texture. */
 export type FacePart = 'shape' | 'texture';
 
-/** Where a change is let in: segments by their names, on a half or both; the whole head without. */
+/** Region of a change: segments by their names, on one half or both; default: the whole head. */
 export interface FaceRegion {
   readonly segments?: readonly string[];
   readonly half?: 'left' | 'right' | undefined;
 }
 
-/** A value of an attribute that is held. */
+/** Attribute value held as a constraint. */
 export interface FaceConstraint extends FaceRegion {
   readonly part: FacePart;
   readonly name: string;
   readonly value: number;
 }
 
-/** What a pack holds. */
+/** Contents of a pack. */
 export interface FacePack {
   /** Vertices of the skin. */
   readonly vertices: number;
@@ -36,12 +36,12 @@ export interface FacePack {
     readonly name: string;
     /** Terms for −1 and for 1. */
     readonly terms: readonly [string, string];
-    /** The formula of an impression that nobody rated. */
+    /** Formula of an impression derived without ratings. */
     readonly derived: string | null;
   }[];
   /** Parents before their parts. */
   readonly segments: readonly { readonly name: string; readonly parent: number | null }[];
-  /** Who the faces of the database are: sex from 0 (male) to 1, years, shares of European, Asian and African ancestry. */
+  /** People of the database faces: sex from 0 (male) to 1, years, shares of European, Asian and African ancestry. */
   readonly people: readonly { readonly sex: number; readonly ageYears: number; readonly ancestry: readonly [number, number, number] }[];
   /** Figures whose colours are known. */
   readonly figures: readonly string[];
@@ -82,7 +82,7 @@ interface Instance {
 /** Three numbers: along or about x, y and z. */
 type Vector3 = readonly [number, number, number];
 
-/** A face model and the face that is edited. Methods throw an `Error` that says what is wrong, and change nothing then. */
+/** Face model and the edited face. Methods throw an `Error` that describes the fault, and then change nothing. */
 export class Faces {
   readonly #model: Model;
   readonly pack: FacePack;
@@ -92,7 +92,7 @@ export class Faces {
     this.pack = model.contents();
   }
 
-  /** Fetches the model with its shapes and, beside them, its textures. */
+  /** Fetches the model with its shapes and, in a separate file, its textures. */
   static async open(shapes: URL, textures?: URL, { signal, progress }: { readonly signal?: AbortSignal; readonly progress?: Progress } = {}): Promise<Faces> {
     const watched = { most: MAX_BYTES, signal };
     const instance = instantiate() as unknown as Instance;
@@ -111,12 +111,12 @@ export class Faces {
     this.#model.average();
   }
 
-  /** A face drawn at random; the same for the same seed, a whole number. */
+  /** Sets a random face; the same seed, an integer, gives the same face. */
   random(seed: number): void {
     this.#model.random(seed);
   }
 
-  /** Whom the random face of a seed is most like, by the number of a face of the database; undefined where the pack does not tell. */
+  /** Returns the number of the database face most similar to the random face of a seed; undefined if the pack has no records. */
   randomPerson(seed: number): number | undefined {
     return this.#model.randomPerson(seed);
   }
@@ -126,12 +126,12 @@ export class Faces {
     this.#model.example(index);
   }
 
-  /** 1 for the vertices of segments and of their parts, 0 for the others. */
+  /** Returns a mask: 1 for the vertices of segments and of their parts, 0 for the others. */
   mask(segments: readonly string[]): Float64Array {
     return this.#model.mask(segments);
   }
 
-  /** The smallest segment that a vertex lies in; undefined for the rest of the head. */
+  /** Returns the smallest segment that contains a vertex; undefined for the rest of the head. */
   segmentAt(vertex: number): string | undefined {
     return this.#model.segmentAt(vertex);
   }
@@ -141,40 +141,43 @@ export class Faces {
     return this.#model.skin(false);
   }
 
-  /** How much of an attribute the face has: 0 for the average, mostly −1 to 1. */
+  /** Returns the face's value of an attribute: 0 for the average, mostly −1 to 1. */
   value(part: FacePart, name: string): number {
     return this.#model.value(part, name);
   }
 
-  /** How much of each attribute of a part the face has, in the order of `pack.attributes`. */
+  /** Returns the face's values of all attributes of a part, in the order of `pack.attributes`. */
   values(part: FacePart): Float64Array {
     return this.#model.values(part);
   }
 
-  /** Adds so much of an attribute; `withAll`: and of what goes with it in people, as a narrow mouth with a small nose. */
+  /** Adds an amount of an attribute; `withAll` also adds the traits that correlate with it in people, such as a small nose with a narrow mouth. */
   add(part: FacePart, name: string, amount: number, { segments = [], half }: FaceRegion = {}, withAll = false): void {
     this.#model.add(part, name, amount, withAll, segments, half);
   }
 
   /**
-   * Adds so much of an attribute alone: of a feature what lies in its segments, and nothing elsewhere moves; of what a whole person is,
-   * sex or age, so that these others of its part keep their values.
+   * Adds an amount of an attribute in isolation: a feature changes only its own segments; a trait of the whole person, sex or age, changes the face so that
+   * the other such traits of its part keep their values.
    */
   addAlone(part: FacePart, name: string, amount: number, kept: readonly string[]): void {
     this.#model.addAlone(part, name, amount, kept);
   }
 
-  /** Makes the face so many years older, or younger below zero, as people of its sex get: growth to 20 years, ageing from then on; ages from 8 to 80. */
+  /**
+   * Ages the face by a number of years (negative: makes it younger), by the average change for its sex: growth to 20 years, ageing after that; ages from 8 to
+   * 80.
+   */
   addYears(years: number, { segments = [], half }: FaceRegion = {}): void {
     this.#model.addYears(years, segments, half);
   }
 
-  /** Exaggerates what tells the face from the average: above 1 a caricature, below nearer to everybody. */
+  /** Exaggerates the difference of the face from the average: above 1 a caricature, below 1 a more average face. */
   caricature(part: FacePart, level: number, { segments = [], half }: FaceRegion = {}): void {
     this.#model.caricature(part, level, segments, half);
   }
 
-  /** Takes over a region of a face of the database. */
+  /** Copies a region from a face of the database. */
   importFrom(index: number, part: FacePart, { segments = [], half }: FaceRegion = {}): void {
     this.#model.importFrom(index, part, segments, half);
   }
@@ -190,7 +193,7 @@ export class Faces {
     this.#model.addDetail(strength);
   }
 
-  /** Brings the face to values of attributes; the error names the first that contradicts those before it. */
+  /** Brings the face to given attribute values; the error names the first one that conflicts with those before it. */
   constrain(held: readonly FaceConstraint[]): void {
     this.#model.constrain(held);
   }
@@ -200,14 +203,14 @@ export class Faces {
     return this.#model.keep();
   }
 
-  /** The face that `keep` kept of the same pack. */
+  /** Restores a face saved by `keep` from the same pack. */
   restore(kept: Uint8Array): void {
     this.#model.restore(kept);
   }
 
   /**
-   * The face as a figure takes it; with its colours where the pack knows those of this figure. Of one that `moves`, skin that would pass
-   * through skin gives way as in the face that was asked for last: that takes no time, and a face that rests is asked for anew.
+   * Returns the face in the format of a figure, with its colours if the pack contains this figure. A face that `moves` reuses the self-intersection correction
+   * of the last requested face, which takes no time; request it again when it is at rest.
    */
   face(figure: string, moves = false): FigureFace {
     return { skin: this.#model.skin(moves), organs: this.#model.organs(), factors: this.#model.factors(figure), moves };

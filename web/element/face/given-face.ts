@@ -1,11 +1,11 @@
-/** What is on the face of the figure on stage. */
+/** Face, hair and paint of the figure on stage. */
 
 import { applyFace, SkinPainter, type DonorHair } from './face-look.js';
 import type { Engine } from '../base/engine.js';
 import type { FigureFace } from '../base/face-types.js';
 import { PlayerError } from '../base/types.js';
 
-/** The face that a figure has got, where it is not its own, what others lend it, and what is painted on it. */
+/** Face given to a figure in place of its own, with the hair of other figures and the paint on it. */
 export class GivenFace {
   /** Undefined: the figure has its own. */
   face: FigureFace | undefined;
@@ -13,22 +13,22 @@ export class GivenFace {
   lent: DonorHair = new Map();
   #paint = new SkinPainter();
 
-  /** It changes, so that no picture of it stands still. */
+  /** True if it changes continuously, so that no image of it is final. */
   get moves(): boolean {
     return this.face?.moves === true;
   }
 
-  /** Gives it to the figure that an engine has read. Throws what the engine says of a face that it cannot have. */
+  /** Applies it to the figure that an engine has read. Throws the engine's error if the face is not applicable. */
   apply(engine: Engine): void {
     if (this.face !== undefined) applyFace(engine, this.face, this.lent);
   }
 
-  /** The figure's pictures have come anew: nothing is painted on them. */
+  /** Resets the paint after the figure's images have been reloaded. */
   unpaint(): void {
     this.#paint = new SkinPainter();
   }
 
-  /** Paints what there is to paint; `current` says whether the engine still shows that figure. */
+  /** Paints the skin; `current` returns true while the engine still shows that figure. */
   async paint(engine: Engine, current: () => boolean): Promise<void> {
     const paint = this.#paint;
     await paint.put(engine, this.face ?? {}, () => current() && paint === this.#paint);

@@ -1,4 +1,4 @@
-/** Scars, moles, birthmarks and tattoos, freckles and stubble, painted into the picture of the skin; fetched only by pages that paint some. */
+/** Scars, moles, birthmarks and tattoos, freckles and stubble, painted into the skin texture; fetched only by pages that paint some. */
 
 import { hexOf } from '../base/colour.js';
 import type { SkinPaint } from './face-look.js';
@@ -9,13 +9,13 @@ import type { FaceMark, TattooShape } from '../base/face-types.js';
 /** Two-dimensional, of an `OffscreenCanvas`. */
 type Context = OffscreenCanvasRenderingContext2D;
 
-/** The picture multiplies the colour of the skin, so paint is what is left of each colour. */
+/** Blend mode of the paint: the texture multiplies the colour of the skin, so paint is the remaining share of each colour. */
 const MULTIPLY = 'multiply';
-/** The border of the scalp is so soft, of the picture's width. */
+/** Softness of the scalp's border, share of the texture's width. */
 const SOFT = 0.01;
-/** Half the side of the square of skin whose mean a bare scalp has, of the picture's width. */
+/** Half the side of the skin square that gives a bare scalp its mean colour, share of the texture's width. */
 const LIKE = 0.012;
-/** A picture in a figure's file is as good as this. */
+/** JPEG quality of a texture in a figure's file. */
 const JPEG_QUALITY = 0.92;
 
 const SHAPES: Readonly<Record<Exclude<TattooShape, 'text'>, (context: Context) => void>> = {
@@ -141,7 +141,7 @@ function scar(context: Context): void {
 
 const DRAW: Readonly<Record<FaceMark['kind'], (context: Context, mark: FaceMark) => void>> = { scar, mole, birthmark, tattoo };
 
-/** A figure's picture of the skin, and a canvas to paint over it. */
+/** Skin texture of a figure, and a canvas to paint over it. */
 export class PaintedSkin {
   readonly #bare: ImageBitmap;
   readonly #context: Context;
@@ -154,7 +154,7 @@ export class PaintedSkin {
     this.#index = index;
   }
 
-  /** Paints freckles, stubble and marks over the bare skin, and shows that. A mark at a place that the skin does not have is left out. */
+  /** Paints freckles, stubble and marks over the bare skin, and displays the result. Marks at positions that the skin does not have are skipped. */
   paint(engine: Engine, marks: readonly FaceMark[], paint: SkinPaint): void {
     const context = this.#context;
     const { width, height } = context.canvas;
@@ -181,7 +181,7 @@ export class PaintedSkin {
     engine.setImage(this.#index, width, height, context.getImageData(0, 0, width, height).data);
   }
 
-  /** Colours the skin that hair grows on, softly at its border; what is bare of it is like the forehead. */
+  /** Colours the skin under hair, with a soft border; bare areas look like the forehead. */
   #scalp([r = 0, g = 0, b = 0, u = 0, v = 0, count = 0, ...places]: Float32Array): void {
     const { width, height } = this.#context.canvas;
     const bare = places.slice(2 * count);
@@ -215,17 +215,17 @@ export class PaintedSkin {
     context.filter = 'none';
   }
 
-  /** The painted picture as a JPEG. */
+  /** Returns the painted texture as a JPEG. */
   async file(): Promise<Uint8Array> {
     const blob = await this.#context.canvas.convertToBlob({ type: 'image/jpeg', quality: JPEG_QUALITY });
     return new Uint8Array(await blob.arrayBuffer());
   }
 }
 
-/** Pixels of the side of a picture that is painted soon rather than finely. */
+/** Side of a texture painted for speed, pixels. */
 const SOON_PX = 512;
 
-/** The skin of the figure that an engine has read, to paint on, finely or soon; undefined where it has no picture of it. */
+/** Opens the skin of the figure that an engine has read for painting, at full or at reduced resolution; undefined if it has no skin texture. */
 export async function openSkin(engine: Engine, isFine: boolean): Promise<PaintedSkin | undefined> {
   const index = engine.skinImage();
   if (index === undefined) return undefined;

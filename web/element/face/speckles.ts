@@ -1,17 +1,17 @@
-/** Freckles, spots of age, moles and stubble, painted into the picture of the skin spot by spot. */
+/** Freckles, age spots, moles and stubble, painted into the skin texture spot by spot. */
 
 import type { SkinPaint } from './face-look.js';
 import type { Engine } from '../base/engine.js';
 import type { SpotKind } from '../base/face-types.js';
 
-/** Numbers of one spot, as an engine tells it. */
+/** Count of numbers per spot in the engine's output. */
 const NUMBERS = 7;
 /** The fewest of all freckles that a face with some has. */
 const FEWEST = 0.12;
 /** Rings of which a spot is painted, as parts of its radius: its border is soft. */
 const RINGS = [1, 0.75, 0.5];
 
-/** How spots of a kind are painted: radii least and most, metres; what is left of each colour, and how much of it a ring takes. */
+/** Paint of a kind of spot: minimum and maximum radius, metres; remaining share of each colour, and the strength of its ring. */
 interface SpeckleColour {
   readonly radius: readonly [number, number];
   readonly colour: string;
@@ -19,7 +19,7 @@ interface SpeckleColour {
 }
 
 export class Speckles {
-  /** The last of each kind, and the seed of their places. */
+  /** Last spots of each kind, and the seed of their positions. */
   readonly #spots = new Map<SpotKind, { readonly seed: number; readonly spots: Float32Array }>();
 
   #of(engine: Engine, kind: SpotKind, seed: number): Float32Array {

@@ -1,9 +1,9 @@
-/** What an answer counts: all points, none, or a share of them where what is right of it counts by itself. */
+/** Points of an answer: all, none, or a share if its parts count separately. */
 
 import { isFilled, isMatched, type AnswerGrade } from './judge.js';
 import type { Question } from '../base/questions.js';
 
-/** Points are told to a hundredth, which records and people can read. */
+/** Precision of reported points: hundredths, readable by records and people. */
 const STEPS = 100;
 /** Sums of fractions are a little less than they mean. */
 const NEARLY = 1e-6;
@@ -17,7 +17,7 @@ export function pointsOf(question: Question, { given, isRight }: AnswerGrade): n
   return part < points ? part : 0;
 }
 
-/** How much of an answer is right, 0 to 1. */
+/** Returns the correct share of an answer, 0 to 1. */
 function shareOf(question: Question, given: readonly string[]): number {
   const { kind, options } = question;
   const share = (isIt: (given: readonly string[], place: number) => boolean) => options.filter((_, place) => isIt(given, place)).length / options.length;

@@ -1,4 +1,4 @@
-/** What is read once a question is answered for good: what its author wrote, else whether that was right, and what is right. */
+/** Feedback after the final answer to a question: the author's text, otherwise the result and the correct answer. */
 
 import { gapsOf } from './judge.js';
 import { LIVE, type TakenBranch } from './lesson.js';
@@ -6,7 +6,7 @@ import { readOf } from './question-fields.js';
 import type { QuestionWords } from './question-words.js';
 import type { Question, QuestionOption } from '../base/questions.js';
 
-/** The text after an answer; empty where there is none: the story says something itself, or whoever asks live does. */
+/** Returns the text after an answer; empty if there is none because the story itself, or the live sender of the question, responds. */
 export function feedbackOf({ question, answered, isSilent }: TakenBranch, words: QuestionWords): string {
   const { isFinal, isRight } = answered;
   if (!isFinal) return '';
@@ -24,7 +24,7 @@ function usual({ question, answered: { given, isRight, points } }: Pick<TakenBra
   return is === '' ? outcome : `${outcome} ${words.rightIs(is)}`;
 }
 
-/** What is right, to be read; empty where no words say it. */
+/** Returns the correct answer as readable text; empty if it cannot be expressed in words. */
 export function rightAnswer(question: Question, words: QuestionWords): string {
   const { kind, options } = question;
   const right = options.filter(({ isRight }) => isRight);

@@ -1,23 +1,23 @@
-/** Whether what somebody gives is an answer to a question, whether it is right, and which options it fits. */
+/** Validates answers to a question, judges them, and finds the options that they match. */
 
 import type { Question, QuestionOption } from '../base/questions.js';
 
-/** What an answer is worth. */
+/** Judgement of an answer. */
 export interface AnswerGrade {
-  /** What was given, without what is none. */
+  /** Given answers, without invalid ones. */
   readonly given: readonly string[];
   /** Left out where the question is not graded. */
   readonly isRight?: boolean;
-  /** The names of options that it fits: what follows may depend on them. */
+  /** Names of the matching options, which may determine the continuation. */
   readonly fits: readonly string[];
 }
 
-/** Whether `to` of what follows is meant by the outcome of a question that is answered for good. */
+/** Returns true if the continuation `to` applies to the outcome of a question with a final answer. */
 export function isOutcome(to: string, isRight: boolean | undefined): boolean {
   return to === 'answered' || (to === 'right' && isRight === true) || (to === 'wrong' && isRight === false);
 }
 
-/** A longer text is none. */
+/** Maximum length of an answer text. */
 export const MAX_CHARACTERS = 10_000;
 
 /** An answer is the same with or without accents, capitals, commas and spaces. */
@@ -32,7 +32,7 @@ export function plain(text: string): string {
     .trim();
 }
 
-/** A number as people write it; undefined where it is none. */
+/** Parses a number in common notation; undefined if it is invalid. */
 export function numberOf(text: string): number | undefined {
   const written = text.trim().replaceAll(/[\s\u00a0\u202f']/g, '');
   const number = Number(/^[^.,]*,[^.,]*$/.test(written) ? written.replace(',', '.') : written);
@@ -69,7 +69,7 @@ const RULES: { readonly [kind in Question['kind']]: (question: Question, given: 
   },
 };
 
-/** Judges an answer; undefined where it is none. */
+/** Judges an answer; undefined if it is invalid. */
 export function judge(question: Question, given: readonly string[]): AnswerGrade | undefined {
   const judged = RULES[question.kind](question, given);
   if (judged === undefined || question.isUngraded !== true) return judged;
@@ -98,10 +98,10 @@ function order({ options }: Question, given: readonly string[]): Required<Answer
   return { given: [...given], isRight: options.every(({ name }, i) => given[i] === name), fits: [] };
 }
 
-/** The partner of an option by its name; undefined where it has none. */
+/** Returns the partner of an option by name; undefined if it has none. */
 const partnerOf = (options: readonly QuestionOption[], name: string | undefined): string | undefined => options.find((option) => option.name === name)?.partner;
 
-/** Whether the option at a place was given its partner, or another one that reads the same. */
+/** Returns true if the option at an index was given its partner, or another with the same text. */
 export function isMatched({ options }: Question, given: readonly string[], place: number): boolean {
   return partnerOf(options, given[place]) === options[place]?.partner;
 }
@@ -113,7 +113,7 @@ function match(question: Question, given: readonly string[]): Required<AnswerGra
   return { given: known, isRight: options.every((_, i) => isMatched(question, known, i)), fits: [] };
 }
 
-/** Whether the gap of the option at a place is filled as it has to be. */
+/** Returns true if the gap of the option at an index is filled correctly. */
 export function isFilled({ options }: Question, given: readonly string[], place: number): boolean {
   const written = plain(given[place] ?? '');
   return (options[place]?.accepts ?? []).some((accepted) => plain(accepted) === written);
@@ -125,7 +125,7 @@ function gap(question: Question, given: readonly string[]): Required<AnswerGrade
   return { given: written, isRight: question.options.every((_, i) => isFilled(question, written, i)), fits: [] };
 }
 
-/** The first option that takes it decides. */
+/** Judges by the first matching option. */
 function ruled({ options }: Question, given: readonly string[], takes: (option: QuestionOption) => boolean): Required<AnswerGrade> {
   const option = options.find(takes);
   return { given, isRight: option?.isRight === true, fits: option === undefined ? [] : [option.name] };

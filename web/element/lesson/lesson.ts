@@ -1,6 +1,6 @@
 /**
- * The ways through a story: where it rests until somebody has answered, what follows from an answer, what is passed over, and what
- * was answered. All of it lies one after another in the story's time; what is not meant is leapt over.
+ * Branching of a story: pauses at questions, continuations after answers, skipped parts, and the record of answers. All branches lie one after another on the
+ * timeline; the others are skipped.
  */
 
 import type { Answered, Score } from '../base/answers.js';
@@ -13,33 +13,33 @@ import type { Part } from '../media/text-tracks.js';
 import type { Question, FlowEntry } from '../base/questions.js';
 import { type Value, Values } from './values.js';
 
-/** What a learner has done in a story, as data. */
+/** Serialisable progress of a learner in a story. */
 export interface LessonState {
   readonly answered: readonly Answered[];
   readonly values: { readonly [name: string]: Value };
-  /** What was set and is not set again, by its place in the story. */
+  /** Assignments already performed, by their order in the story. */
   readonly done: readonly number[];
-  /** What is by chance for the learner follows from it: a whole number of 32 bits. */
+  /** Random seed of the learner, a 32-bit integer. */
   readonly seed: number;
-  /** How far the learner has come, seconds. */
+  /** Furthest time reached by the learner, seconds. */
   readonly furthestSecs: number;
-  /** What gotos have led over. */
+  /** Spans skipped by gotos. */
   readonly skipped: readonly Span[];
 }
 
-/** What is to become of the story's time: it goes on, rests, or goes on elsewhere after `fromSecs`. */
+/** Next step of the story's time: continue, pause, or continue elsewhere after `fromSecs`. */
 export type FlowTurn = { readonly kind: 'go' } | { readonly kind: 'rest'; readonly atSecs: number } | { readonly kind: 'leap'; readonly fromSecs: number; readonly toSecs: number };
 
-/** What became of an answer. */
+/** Result of an answer. */
 export interface TakenBranch {
   readonly question: Question;
   readonly answered: Answered;
   readonly turn: FlowTurn;
-  /** It is answered for good, and nothing of the story follows from it. */
+  /** True if the answer is final and no part of the story depends on it. */
   readonly isSilent: boolean;
 }
 
-/** Something that a story comes to. */
+/** Mark on the timeline of a story. */
 type Mark =
   | FlowEntry
   | { readonly kind: 'ask'; readonly order: number; readonly within?: number; readonly atSecs: number; readonly endSecs: number; readonly question: Question }
@@ -48,12 +48,12 @@ type Mark =
 const GO: FlowTurn = { kind: 'go' };
 /** Times of a story differ by less where they mean the same. */
 const NEARLY_SECS = 1e-3;
-/** The places of what is not in the story, after all that is. */
+/** First order number of questions outside the story, after all others. */
 export const LIVE = 1e9;
 /** More of a state from outside is not read. */
 const MAX_DONE = 100_000;
 
-/** Marks in the order in which a story comes to them. */
+/** Returns the marks in the order of the story. */
 function marksOf(questions: readonly Question[], ways: readonly FlowEntry[]): readonly Mark[] {
   const asked = questions.flatMap((question): Mark[] => {
     const { order, within, atSecs, endSecs, answers } = question;
@@ -70,26 +70,26 @@ export class Lesson {
   #questions: readonly Question[] = [];
   #byName: ReadonlyMap<string, Question> = new Map();
   #marks: readonly Mark[] = [];
-  /** The next mark that the story comes to. */
+  /** Index of the next mark. */
   #next = 0;
-  /** Answers and conditions whose clauses are passed over, by their places. */
+  /** Answers and conditions whose clauses are skipped, by order. */
   readonly #closed = new Set<number>();
   readonly #answered = new Map<string, Answered>();
   readonly #values = new Values();
   readonly #done = new Set<number>();
   #seed = newSeed();
   #ways: readonly FlowEntry[] = [];
-  /** The places of what is not drawn of pools, with all in it. */
+  /** Orders of the items not drawn from pools, with their contents. */
   #leftOut: ReadonlySet<number> = new Set();
   #furthestSecs = 0;
-  /** Where the story stood at the last step. */
+  /** Story time at the last step. */
   #stoodSecs = 0;
   readonly #skipped: Span[] = [];
   #asked: Question | undefined;
-  /** The answer that is performed, and where the story goes on after it. */
+  /** Answer being performed, and the time at which the story continues after it. */
   #follows: { readonly order: number; readonly endSecs: number; readonly toSecs: number } | undefined;
 
-  /** The questions and ways of the text on stage; what was answered to those of the same names stays. */
+  /** Sets the questions and branches of the text on stage; answers to questions of the same names are kept. */
   setStory(questions: readonly Question[], ways: readonly FlowEntry[]): void {
     this.#questions = questions;
     this.#byName = new Map(questions.map((question) => [question.name, question]));
@@ -101,7 +101,7 @@ export class Lesson {
     this.#closed.clear();
   }
 
-  /** What is by chance for this learner. */
+  /** Random seed of this learner. */
   get seed(): number {
     return this.#seed;
   }
@@ -110,12 +110,12 @@ export class Lesson {
     this.#leftOut = leftOut(this.#questions, this.#ways, this.#seed);
   }
 
-  /** Whether a question may be asked of this learner: it is in no pool, or was drawn. */
+  /** Returns true if a question may be asked of this learner: it is in no pool, or was drawn. */
   isDrawn({ order }: Question): boolean {
     return !this.#leftOut.has(order);
   }
 
-  /** The text on stage has other times, at this one: voices come while it is told. An answer that is performed goes on. */
+  /** Updates the times of the text on stage, at the current time: voices may arrive during playback. An answer being performed continues. */
   retime(questions: readonly Question[], ways: readonly FlowEntry[], secs: number): void {
     const performed = this.#follows?.order;
     this.setStory(questions, ways);
@@ -130,7 +130,7 @@ export class Lesson {
     }
   }
 
-  /** Asks what was not in the story, from a time on; what was answered to one of its name does not count. */
+  /** Adds questions outside the story from a given time; earlier answers to the same name do not count. */
   add(questions: readonly Question[]): void {
     for (const question of questions) {
       this.#drop(({ name }) => name === question.name);
@@ -146,7 +146,7 @@ export class Lesson {
     this.#byName = new Map(this.#questions.map((question) => [question.name, question]));
   }
 
-  /** What is not in the story and is not answered is not asked any more. */
+  /** Withdraws unanswered questions outside the story. */
   interrupt(): void {
     this.#drop(({ name, order }) => order >= LIVE && this.#answered.get(name)?.isFinal !== true);
     this.#byName = new Map(this.#questions.map((question) => [question.name, question]));
@@ -160,7 +160,7 @@ export class Lesson {
     this.#questions = this.#questions.filter((question) => !isDropped(question));
   }
 
-  /** Nothing is left of a story that goes. */
+  /** Clears the state of an unloaded story. */
   clear(): void {
     this.#seed = newSeed();
     this.setStory([], []);
@@ -176,19 +176,19 @@ export class Lesson {
     return this.#marks.flatMap((mark) => (mark.kind === 'part' ? [{ name: mark.name, title: mark.title, startSecs: mark.atSecs, endSecs: mark.endSecs }] : []));
   }
 
-  /** What not everybody comes to: answers, what has a condition, what is not drawn, and what gotos have led this learner over. */
+  /** Spans not performed for everyone: answers, conditional parts, items not drawn, and spans that gotos skipped for this learner. */
   get optional(): readonly Span[] {
     const isOptional = ({ kind, order }: Mark) => kind === 'ask' || kind === 'if' || (kind === 'item' && this.#leftOut.has(order));
     const spans = this.#marks.filter(isOptional).map(({ atSecs, endSecs }): Span => [atSecs, endSecs]);
     return united([...spans, ...this.#skipped]);
   }
 
-  /** What is asked now. */
+  /** Current question. */
   get asked(): Question | undefined {
     return this.#asked;
   }
 
-  /** What was answered, by the questions' order. */
+  /** Answers, in the order of the questions. */
   get answered(): readonly Answered[] {
     return [...this.#byName.keys()].flatMap((name) => this.#answered.get(name) ?? []);
   }
@@ -199,7 +199,7 @@ export class Lesson {
     return { points, most: asked.reduce((sum, { points }) => sum + points, 0) };
   }
 
-  /** The story has come to a time by itself: whether it may go on. */
+  /** Advances to a time reached by playback; returns the next step. */
   pass(secs: number): FlowTurn {
     const turn = this.#leave(secs) ?? this.#walk(secs);
     if (turn.kind === 'go') this.#furthestSecs = Math.max(this.#furthestSecs, secs);
@@ -207,7 +207,7 @@ export class Lesson {
     return turn;
   }
 
-  /** The story was brought to another time: what follows from an answer is not told any more. */
+  /** Handles a seek to another time: the continuation of an answer is no longer performed. */
   seek(secs: number): void {
     this.#follows = this.#asked = undefined;
     this.#stoodSecs = secs;
@@ -221,7 +221,7 @@ export class Lesson {
     if (around >= 0 && around < this.#next) this.#next = around;
   }
 
-  /** Takes an answer to what is asked; undefined where nothing is, or where it is none. */
+  /** Takes an answer to the current question; undefined if there is none, or if the answer is invalid. */
   answer(given: readonly string[]): TakenBranch | undefined {
     const asked = this.#asked;
     const judgement = asked && judge(asked, given);
@@ -230,7 +230,7 @@ export class Lesson {
     return this.#take(asked, answeredOf(asked, judgement, tries));
   }
 
-  /** The time for what is asked is over. */
+  /** Handles the end of the time limit of the current question. */
   expire(): TakenBranch | undefined {
     const asked = this.#asked;
     if (asked === undefined) return undefined;
@@ -238,7 +238,7 @@ export class Lesson {
     return this.#take(asked, { ...answeredOf(asked, unanswered(asked), tries), isFinal: true });
   }
 
-  /** What was done, to be given back to `restore`: data that `JSON.stringify` writes. */
+  /** Returns the progress for `restore`, as data for `JSON.stringify`. */
   state(): LessonState {
     return {
       answered: [...this.#answered.values()],
@@ -250,7 +250,7 @@ export class Lesson {
     };
   }
 
-  /** Takes what `state` gave, whatever has become of it in between: what is no answer to a question on stage is left out. */
+  /** Restores the output of `state`; entries that are not valid answers to a question on stage are dropped. */
   restore(state: unknown): void {
     const { answered, values, done, seed, furthestSecs, skipped } = (state ?? {}) as { [name in keyof LessonState]?: unknown };
     this.#answered.clear();
@@ -270,8 +270,8 @@ export class Lesson {
   }
 
   /**
-   * Adds what a state has that is not known here, where the learner goes on: answers to what was not answered as well, what was set,
-   * and how far they came. What is asked now may be answered by that.
+   * Merges unknown entries of a state while the learner continues: answers to unanswered questions, assignments, and the furthest time. This may answer the
+   * current question.
    */
   join(state: unknown, secs: number): void {
     const here = this.state();
@@ -303,7 +303,7 @@ export class Lesson {
     return { kind: 'leap', fromSecs: asked.atSecs, toSecs };
   }
 
-  /** Where the answer that is performed is over. */
+  /** Returns the turn at the end of the answer being performed. */
   #leave(secs: number): FlowTurn | undefined {
     const follows = this.#follows;
     if (follows === undefined) return undefined;
@@ -315,7 +315,7 @@ export class Lesson {
     return { kind: 'leap', fromSecs: follows.endSecs, toSecs: follows.toSecs };
   }
 
-  /** Goes through the marks up to a time. */
+  /** Processes the marks up to a time. */
   #walk(secs: number): FlowTurn {
     for (;;) {
       const at = this.#next;
@@ -333,7 +333,7 @@ export class Lesson {
     }
   }
 
-  /** The story comes to a mark; undefined where it goes on. */
+  /** Handles a mark; undefined if the story continues. */
   #meet(mark: Mark, secs: number): FlowTurn | undefined {
     switch (mark.kind) {
       case 'part':
@@ -369,8 +369,8 @@ export class Lesson {
   }
 
   /**
-   * The way from a mark to behind it. A step of the story may be longer than what is passed over: then it goes back to its end, so that
-   * nothing of it is told. Whoever has sought further stays there.
+   * Returns the jump from a mark over its skipped part. If a step passed its end, the jump goes back to the end, so that nothing is missed. A position reached
+   * by a seek is kept.
    */
   #over({ atSecs, endSecs }: Mark, secs: number, fromSecs: number): FlowTurn | undefined {
     const isStep = atSecs >= this.#stoodSecs - NEARLY_SECS && endSecs > atSecs + NEARLY_SECS;
@@ -382,7 +382,7 @@ export class Lesson {
     else this.#closed.add(order);
   }
 
-  /** Goes on at a part; undefined where there is none. */
+  /** Jumps to a part; undefined if it does not exist. */
   #go({ order, atSecs, to }: Mark & { readonly kind: 'goto' }, secs: number): FlowTurn | undefined {
     const place = this.#marks.findIndex((mark) => mark.kind === 'part' && mark.name === to);
     const part = this.#marks[place];
@@ -397,13 +397,13 @@ export class Lesson {
     return isBack || part.atSecs > secs + NEARLY_SECS ? { kind: 'leap', fromSecs: atSecs, toSecs: part.atSecs } : undefined;
   }
 
-  /** What was asked and set from one place to another is asked and set anew. */
+  /** Resets questions and assignments between two positions. */
   #forget(from: number, to: number): void {
     for (const { order, name } of this.#questions) if (order >= from && order <= to) this.#answered.delete(name);
     for (const order of this.#done) if (order >= from && order <= to) this.#done.delete(order);
   }
 
-  /** An answer of a state, judged anew: what comes from outside may claim too much. One whose text was left out is believed. */
+  /** Validates an answer of a state by judging it again, because external state is untrusted. An answer without its text is accepted. */
   #known(told: unknown): Answered | undefined {
     const { name, given, tries, isFinal } = (told ?? {}) as { [name in keyof Answered]?: unknown };
     const question = typeof name === 'string' ? this.#byName.get(name) : undefined;
@@ -416,7 +416,7 @@ export class Lesson {
     return { ...known, isFinal: known.isFinal || isOver };
   }
 
-  /** An answer without its text, which somebody had no room for: what it was worth is what is told. */
+  /** Accepts an answer whose text was omitted for lack of space, with its recorded points. */
   #believed({ name, points: most, tries: allowed, isUngraded = false }: Question, told: Partial<Answered>, tries: number): Answered {
     const isRight = told.isRight === true;
     const points = Math.max(0, Math.min(most, Number(told.points) || 0));
@@ -425,12 +425,12 @@ export class Lesson {
   }
 }
 
-/** An answer and what it is worth. What is not graded is taken at once. */
+/** Returns an answer with its points. An ungraded one is final immediately. */
 function answeredOf(question: Question, judgement: AnswerGrade, tries: number): Answered {
   return { name: question.name, ...judgement, points: pointsOf(question, judgement), tries, isFinal: judgement.isRight !== false || tries >= question.tries };
 }
 
-/** What it is where nothing was answered. */
+/** Returns the judgement of a question without an answer. */
 const unanswered = ({ isUngraded }: Question): AnswerGrade => ({ given: [], fits: [], ...(isUngraded === true ? {} : { isRight: false }) });
 
 const isSeed = (data: unknown): data is number => typeof data === 'number' && Number.isInteger(data) && data >= 0 && data < 2 ** 32;

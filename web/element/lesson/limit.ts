@@ -1,15 +1,15 @@
-/** The time for an answer, which whoever needs more gets (WCAG 2.2.1: ten times what was given, at least). */
+/** Time limit of an answer, extendable on request (WCAG 2.2.1: at least ten times). */
 
 import type { QuestionWords } from './question-words.js';
 
-/** Then it is said that little is left. */
+/** Remaining time at which the learner is warned. */
 const SOON_SECS = 20;
-/** More is given so often. */
+/** Maximum number of extensions. */
 const MAX_MORE = 10;
 
-/** Who hears of the time. */
+/** Listener of the time limit. */
 interface Listener {
-  /** Another second is over; `text` where that is to be said. */
+  /** Called every second; `text` is given if it should be announced. */
   left(text: string | undefined): void;
   over(): void;
 }
@@ -26,7 +26,7 @@ export class Limit {
     this.#listener = listener;
   }
 
-  /** Begins to count, or counts nothing where there is no limit. */
+  /** Starts the timer, or none if there is no limit. */
   start(allowedSecs: number | undefined, words: QuestionWords): void {
     clearInterval(this.#timer);
     this.#timer = undefined;
@@ -45,7 +45,7 @@ export class Limit {
     return this.#timer !== undefined && this.#more < MAX_MORE;
   }
 
-  /** Gives the whole time again. */
+  /** Restarts the full time. */
   more(): void {
     if (!this.mayHaveMore) return;
     this.#more += 1;

@@ -1,8 +1,8 @@
-/** Where what may be pointed at is marked: in the picture, above the bar of controls, not under the form, and each apart from the others. */
+/** Positions of the markers for pointing: in the image, above the control bar, not under the form, and not overlapping. */
 
 import type { ScreenPoint } from '../engine/pose.js';
 
-/** Pixels from the left and the top of the picture. */
+/** Rectangle, in pixels from the left and the top of the image. */
 export interface Box {
   readonly left: number;
   readonly top: number;
@@ -10,16 +10,16 @@ export interface Box {
   readonly bottom: number;
 }
 
-/** A mark is so large, and keeps so far from the edge of its room, pixels. */
+/** Size of a marker, and its distance from the edge of its area, pixels. */
 export const MARK = 36;
 const EDGE = MARK / 2 + 2;
 /** The bar of controls. */
 const BAR = 84;
-/** Places around a spot that are tried, and how far one is from the next. */
+/** Number of rings of candidate positions around a spot; the next constant is their distance. */
 const RINGS = 40;
 const STEP = MARK / 2;
 
-/** The rooms that a form leaves of a picture: above it, and to its sides. The whole picture where there is no form, or no room. */
+/** Returns the areas of an image not covered by a form: above it, and to its sides. The whole image if there is no form, or no free area. */
 function rooms(picture: Box, form: Box | undefined): readonly Box[] {
   const whole = { left: picture.left + EDGE, top: picture.top + EDGE, right: picture.right - EDGE, bottom: picture.bottom - BAR - EDGE };
   if (form === undefined) return [whole];
@@ -34,13 +34,13 @@ function rooms(picture: Box, form: Box | undefined): readonly Box[] {
 const within = ({ left, top, right, bottom }: Box, { x, y }: ScreenPoint): ScreenPoint => ({ x: Math.min(right, Math.max(left, x)), y: Math.min(bottom, Math.max(top, y)) });
 const apart = (a: ScreenPoint, b: ScreenPoint): number => Math.hypot(a.x - b.x, a.y - b.y);
 
-/** The place in one of the rooms that is nearest to a spot. */
+/** Returns the position in one of the areas nearest to a spot. */
 function nearest(spot: ScreenPoint, all: readonly Box[]): ScreenPoint {
   const places = all.map((room) => within(room, spot));
   return places.reduce((best, place) => (apart(place, spot) < apart(best, spot) ? place : best));
 }
 
-/** Places for what lies at spots, in their order; `undefined` stays so. */
+/** Returns positions for markers at spots, in order; `undefined` is preserved. */
 export function arranged(spots: readonly (ScreenPoint | undefined)[], picture: Box, form: Box | undefined): readonly (ScreenPoint | undefined)[] {
   const all = rooms(picture, form);
   const taken: ScreenPoint[] = [];
@@ -52,7 +52,7 @@ export function arranged(spots: readonly (ScreenPoint | undefined)[], picture: B
   });
 }
 
-/** The place nearest to a spot that no mark has; the spot where the rooms are full. */
+/** Returns the free position nearest to a spot; the spot itself if the areas are full. */
 function free(spot: ScreenPoint, all: readonly Box[], taken: readonly ScreenPoint[]): ScreenPoint {
   const isFree = (place: ScreenPoint) => taken.every((other) => apart(place, other) >= MARK);
   for (let ring = 0; ring <= RINGS; ring += 1) {
@@ -63,7 +63,7 @@ function free(spot: ScreenPoint, all: readonly Box[], taken: readonly ScreenPoin
   return spot;
 }
 
-/** Places at one distance around a spot, those to its sides first. */
+/** Returns positions at one distance around a spot, those at its sides first. */
 function ringOf({ x, y }: ScreenPoint, ring: number): ScreenPoint[] {
   const places: ScreenPoint[] = [];
   for (let i = -ring; i <= ring; i += 1) {

@@ -1,17 +1,17 @@
-/** What is read of an answer while the story goes on. */
+/** Feedback on an answer, shown while the story continues. */
 
 import { html, type TemplateResult } from 'lit';
 
-/** It stays so long while the story plays; who needs more rests the story. */
+/** Display time while the story plays; a reader who needs longer can pause the story. */
 const SHOWN_SECS = 20;
 
-/** What is asked of whoever shows it. */
+/** Callbacks to the owner of the note. */
 interface Listener {
-  /** Whether the story plays and is seen. */
+  /** Returns true if the story plays and is visible. */
   plays(): boolean;
   /** It is gone. */
   gone(): void;
-  /** Somebody has closed it by a key, and is to go on from elsewhere. */
+  /** Called when the note is closed with a key and the focus must move on. */
   left(): void;
 }
 
@@ -24,12 +24,12 @@ export class Note {
     this.#listener = listener;
   }
 
-  /** What is to be read; empty where there is nothing. */
+  /** Text to read; empty if there is none. */
   get text(): string {
     return this.#text;
   }
 
-  /** Shows a text; an empty one takes it away. */
+  /** Shows a text; an empty one removes it. */
   show(text: string): void {
     clearInterval(this.#timer);
     this.#text = text;
@@ -50,7 +50,7 @@ export class Note {
     if (detail === 0) this.#listener.left();
   }
 
-  /** By itself, with a way to close it. */
+  /** Renders the note with a button to close it. */
   render(language: string, direction: string, words: { readonly close: string }): TemplateResult {
     return html`<div class="feedback" part="feedback" lang=${language} dir=${direction}>
       <p dir="auto">${this.#text}</p>

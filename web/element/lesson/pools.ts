@@ -1,9 +1,9 @@
-/** Which items of a story's pools are performed for a learner, and what is passed over with the others. */
+/** Selection of the pool items performed for a learner, and the spans skipped with the others. */
 
 import { shuffled } from './chance.js';
 import type { Question, FlowEntry } from '../base/questions.js';
 
-/** The places of items that are not drawn, and of all that stands in them. */
+/** Returns the orders of items not drawn, and of all their contents. */
 export function leftOut(questions: readonly Question[], ways: readonly FlowEntry[], seed: number): ReadonlySet<number> {
   const items = new Map<number, number[]>();
   for (const way of ways) if (way.kind === 'item') items.set(way.pool, [...(items.get(way.pool) ?? []), way.order]);

@@ -1,4 +1,4 @@
-/** What is filled in to answer a question: controls of HTML, which every browser, keyboard and screen reader knows. */
+/** Input fields of a question: HTML controls, supported by every browser, keyboard and screen reader. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
@@ -7,23 +7,23 @@ import { gapsOf, MAX_CHARACTERS } from './judge.js';
 import type { QuestionWords } from './question-words.js';
 import type { Question, QuestionOption, QuestionPicture } from '../base/questions.js';
 
-/** What fields need besides their question. */
+/** Context of the fields in addition to their question. */
 export interface Fields {
   readonly question: Question;
   readonly words: QuestionWords;
-  /** The names of options as they are shown; of `match` those of their partners. */
+  /** Names of options in display order; for `match` those of their partners. */
   readonly shown: readonly string[];
-  /** Moves an option of `order` by a place. */
+  /** Moves an option of `order` by one position. */
   move(name: string, by: -1 | 1): void;
-  /** A picture, where there is one. */
+  /** Renders a picture, if there is one. */
   image(picture: QuestionPicture | undefined): TemplateResult | typeof nothing;
-  /** The learner turns to something that may be pointed at. */
+  /** Called when the learner focuses an item that can be pointed at. */
   look(option: QuestionOption | undefined): void;
 }
 
 /**
- * The names of options as they are shown. What is put together is mixed in any case, and never shown in the order that is right; else
- * options stand as in the story, unless they are shuffled. Who does not shuffle has one order for all learners.
+ * Returns the names of options in display order. Options to be matched or ordered are always shuffled, and never shown in the correct order; other options
+ * keep the story's order unless shuffled. Shuffled orders differ between learners.
  */
 export function shownOf({ name, kind, options, isShuffled }: Question, seed: number): readonly string[] {
   const names = options.map((option) => option.name);
@@ -34,15 +34,15 @@ export function shownOf({ name, kind, options, isShuffled }: Question, seed: num
   return order;
 }
 
-/** Options in the order in which they are shown. */
+/** Returns options in display order. */
 export function optionsIn({ options }: Question, shown: readonly string[]): readonly QuestionOption[] {
   return shown.flatMap((name) => options.find((option) => option.name === name) ?? []);
 }
 
-/** What an option is called where words alone say it: its text, else what its picture shows. */
+/** Returns the text alternative of an option: its text, otherwise the description of its picture. */
 export const readOf = (option: QuestionOption | undefined): string => option?.text || option?.picture?.alt || '';
 
-/** What was filled into a form, as `Answered.given` has it. */
+/** Returns the values of a form, in the format of `Answered.given`. */
 export function givenIn(form: HTMLFormElement, { kind }: Question, shown: readonly string[]): readonly string[] {
   if (kind === 'order') return shown;
   return new FormData(form).getAll('option').map(String);
@@ -127,7 +127,7 @@ function match({ question, words, shown, image }: Fields): TemplateResult {
   )}`;
 }
 
-/** The prompt with its gaps. Answers go by the order of options, whatever that of the gaps is. */
+/** Renders the prompt with its gaps. Answers follow the order of options, regardless of that of the gaps. */
 function gaps({ question, words }: Fields): TemplateResult {
   const parts = gapsOf(question);
   const count = parts.filter((part) => typeof part !== 'string').length;
@@ -141,7 +141,7 @@ function gaps({ question, words }: Fields): TemplateResult {
     <p class="gaps" dir="auto">${filled.length > 0 ? filled : nothing}</p>`;
 }
 
-/** What was written into gaps, by the order of options. */
+/** Returns the contents of gaps, in the order of options. */
 export function gapsIn(form: HTMLFormElement, { options }: Question): readonly string[] {
   const inputs = [...form.querySelectorAll<HTMLInputElement>('[data-gap]')];
   return options.map(({ name }) => inputs.find(({ dataset }) => dataset['gap'] === name)?.value ?? '');

@@ -1,6 +1,6 @@
-/** Pictures of questions: files of the story's folder. */
+/** Pictures of questions, from the story's folder. */
 
-/** The address of a file in the folder of a story. Whatever its name holds, it is a name: it leads to no other folder. */
+/** Returns the URL of a file in the folder of a story. The name is escaped completely, so it cannot lead to another folder. */
 export function addressOf(file: string, story: URL): string {
   const steps = file.split('/').filter((step) => step !== '..');
   return new URL(`./${steps.map(encodeURIComponent).join('/')}`, story).href;

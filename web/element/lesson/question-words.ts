@@ -1,9 +1,9 @@
-/** What the forms of questions say, in the language of the story. */
+/** Texts of question forms, in the language of the story. */
 
 export interface QuestionWords {
   readonly answer: string;
   readonly notYet: string;
-  /** Nothing was answered that could be. */
+  /** Message if no answer was entered. */
   readonly first: string;
   readonly choose: string;
   readonly up: (text: string) => string;
@@ -18,7 +18,7 @@ export interface QuestionWords {
   readonly soon: (secs: number) => string;
   readonly tries: (left: number) => string;
   readonly asks: (prompt: string) => string;
-  /** What is read once it is answered for good. */
+  /** Message after a correct final answer. */
   readonly right: string;
   readonly wrong: string;
   readonly partly: (points: number, of: number) => string;
@@ -120,7 +120,7 @@ const DE: QuestionWords = {
 
 const LANGUAGES: { readonly [language: string]: QuestionWords | undefined } = { en: EN, pt: PT, de: DE };
 
-/** The words of a language, a tag of BCP 47; English where there are none. */
+/** Returns the texts of a language, a BCP 47 tag; English if it is not available. */
 export function wordsOf(language: string): QuestionWords {
   return LANGUAGES[language.toLowerCase().split('-')[0] ?? ''] ?? EN;
 }

@@ -1,4 +1,4 @@
-/** The form of a question, over or beside the stage. */
+/** Form of a question, over or next to the stage. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { languageOf, type PlayerContext } from '../story/context.js';
@@ -19,16 +19,16 @@ const FROM_RIGHT = new Set(['ar', 'ckb', 'dv', 'fa', 'he', 'ps', 'sd', 'ug', 'ur
 
 export class QuestionForm {
   readonly #limit: Limit;
-  /** Takes an answer; false where it is none. */
+  /** Submits an answer; false if it is invalid. */
   readonly #answer: (given: readonly string[]) => boolean;
   readonly #contextOf: () => PlayerContext;
   #question: Question | undefined;
   #language = 'en';
   #shown: readonly string[] = [];
   #looked: QuestionOption | undefined;
-  /** What the learner reads beneath the fields. */
+  /** Message shown under the fields. */
   #said = '';
-  /** What is read of the question before. */
+  /** Feedback on the previous question. */
   readonly #note: Note;
 
   constructor(limit: Limit, answer: (given: readonly string[]) => boolean, contextOf: () => PlayerContext) {
@@ -46,7 +46,7 @@ export class QuestionForm {
     return wordsOf(this.#language);
   }
 
-  /** What is asked, to be said. */
+  /** Prompt of the current question, for announcement. */
   get prompt(): string {
     const question = this.#question;
     if (question?.kind !== 'gap') return question?.prompt ?? '';
@@ -55,12 +55,12 @@ export class QuestionForm {
       .join('');
   }
 
-  /** The bone that the learner looks at; empty where there is none. */
+  /** Bone that the learner focuses; empty if there is none. */
   get lookedAt(): string {
     return this.#looked?.at ?? '';
   }
 
-  /** Another question is asked, or none any more. */
+  /** Opens another question, or closes the form. */
   open(question: Question | undefined, story: Story | undefined, seed: number): void {
     const { player, onScreen } = this.#contextOf();
     const had = player.shadowRoot?.activeElement?.closest('.question') != null;
@@ -81,22 +81,22 @@ export class QuestionForm {
     });
   }
 
-  /** Goes to the first field. */
+  /** Focuses the first field. */
   focus(): void {
     this.#find<HTMLElement>('.question :is(input, select, textarea, button)')?.focus();
   }
 
-  /** What is read of an answer; empty where that is nothing. */
+  /** Feedback on an answer; empty if there is none. */
   get feedback(): string {
     return this.#note.text;
   }
 
-  /** Nothing is to be read of a story that goes. */
+  /** Clears the feedback of an unloaded story. */
   forget(): void {
     this.#note.show('');
   }
 
-  /** Somebody has answered: what they read, while there are tries left and for good. */
+  /** Handles an answer: shows its feedback, between tries and finally. */
   answered(taken: TakenBranch): void {
     const { question, answered } = taken;
     const { notYet, tries } = this.words;
@@ -105,7 +105,7 @@ export class QuestionForm {
     this.#said = [notYet, question.hint, tries(question.tries - answered.tries)].filter(Boolean).join(' ');
   }
 
-  /** The form of what is asked; else what is to be read of what was. */
+  /** Renders the form of the current question; otherwise the feedback on the previous one. */
   render(question: Question | undefined): TemplateResult | typeof nothing {
     const { words, prompt } = this;
     const left = this.#limit.leftSecs;
@@ -168,7 +168,7 @@ export class QuestionForm {
 
   // --- what is pointed at ---
 
-  /** Marks on the stage, for those who point; who does not has the fields. */
+  /** Renders markers on the stage for pointing; the fields are an alternative. */
   #markers(question: Question): TemplateResult {
     const choose = ({ name }: QuestionOption): void => {
       const input = this.#find<HTMLInputElement>(`.question input[value="${CSS.escape(name)}"]`);
@@ -192,7 +192,7 @@ export class QuestionForm {
     </div>`;
   }
 
-  /** Puts the marks where the picture has what they mean. */
+  /** Moves the markers to the objects in the image. */
   async place(): Promise<void> {
     if (this.#question?.kind !== 'point') return;
     const { player } = this.#contextOf();

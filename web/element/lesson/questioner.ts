@@ -1,4 +1,4 @@
-/** Has the story rest at its questions and go on by the ways that follow from answers. */
+/** Pauses the story at its questions and continues it according to the answers. */
 
 import { fire, type PlayerContext } from '../story/context.js';
 import { Lesson, type FlowTurn } from './lesson.js';
@@ -8,18 +8,18 @@ import { QuestionForm } from './question.js';
 import type { Show } from '../story/show.js';
 import type { Story } from '../base/types.js';
 
-/** The story stands at a place when it is nearer than this. */
+/** Tolerance for the story's position, seconds. */
 const NEAR_SECS = 1e-3;
 
 export class Questioner {
   readonly lesson = new Lesson();
-  /** The form of what is asked. */
+  /** Form of the current question. */
   readonly form: QuestionForm;
   readonly #contextOf: () => PlayerContext;
   readonly #limit: Limit;
-  /** The story is being moved by what is answered here, not by the learner. */
+  /** True while an answer, not the learner, moves the story. */
   #isTurning = false;
-  /** What was asked when that was told last. */
+  /** Last announced question. */
   #told: string | undefined;
 
   constructor(contextOf: () => PlayerContext) {
@@ -38,7 +38,7 @@ export class Questioner {
     );
   }
 
-  /** Whether the story is being moved by what was answered. */
+  /** True while an answer moves the story. */
   get isTurning(): boolean {
     return this.#isTurning;
   }
@@ -48,7 +48,7 @@ export class Questioner {
     this.lesson.retime(questions, ways, secs);
   }
 
-  /** What was answered before; at a time where the learner stays it is added to what was answered here. */
+  /** Restores earlier answers; with a time at which the learner stays, merges them with the current ones. */
   restore(state: unknown, secs?: number): void {
     const { asked } = this.lesson;
     if (secs === undefined) this.lesson.restore(state);
@@ -63,25 +63,25 @@ export class Questioner {
         .catch(() => undefined);
   }
 
-  /** The story goes, and what was answered to it. */
+  /** Clears the answers of an unloaded story. */
   clear(): void {
     this.lesson.clear();
     this.form.forget();
     this.#ask();
   }
 
-  /** Fragments were interrupted: what they ask is not asked any more. */
+  /** Withdraws the questions of interrupted fragments. */
   interrupted(): void {
     this.lesson.interrupt();
     this.#ask();
   }
 
-  /** The story was brought to another time. */
+  /** Handles a seek to another time. */
   sought(secs: number): void {
     if (!this.#isTurning) this.lesson.seek(secs);
   }
 
-  /** The story has come to a time; whether it may be shown, or was brought elsewhere. `drain` passes what lies up to a time. */
+  /** Advances to a time; returns true if it may be shown, false if the story was moved. `drain` processes the cues up to a time. */
   pass(show: Show, secs: number, drain: (secs: number) => void): boolean {
     if (this.#isTurning) return true;
     const turn = this.lesson.pass(secs);
@@ -89,7 +89,7 @@ export class Questioner {
     return this.#turn(show, turn, secs, drain);
   }
 
-  /** Takes an answer to what is asked; undefined where that is none. */
+  /** Takes an answer to the current question; undefined if it is invalid. */
   answer(given: readonly string[]): Answered | undefined {
     return this.#took(this.lesson.answer(given));
   }
@@ -127,7 +127,7 @@ export class Questioner {
     return isThere;
   }
 
-  /** Tells that something is asked. */
+  /** Announces a question. */
   #ask(): void {
     const { asked } = this.lesson;
     if (asked?.name === this.#told) return;

@@ -6,15 +6,15 @@ import type { FlowEntry } from '../base/questions.js';
 
 export type Value = number | string | boolean;
 
-/** More variables than any story has; state from outside may hold no more. */
+/** Maximum number of variables, more than in any story; limits external state. */
 const MAX_VALUES = 10_000;
 /** A longer text is cut. */
 const MAX_TEXT_LENGTH = 1000;
 
-/** What is known where a condition is looked at. */
+/** Data available to a condition. */
 export interface KnownValues {
   readonly score: Score;
-  /** What was answered to a question. */
+  /** Returns the answer to a question. */
   answered(name: string): Answered | undefined;
 }
 
@@ -40,7 +40,7 @@ export class Values {
     return typeof value === 'number' ? value : 0;
   }
 
-  /** Whether all that a condition says holds. */
+  /** Returns true if all parts of a condition hold. */
   holds({ name, is, not, above = -Infinity, below = Infinity }: FlowEntry & { readonly kind: 'if' }, known: KnownValues): boolean {
     const answered = this.#values.has(name) ? undefined : known.answered(name);
     const number = name === 'score' ? known.score.points : this.#number(name);
@@ -61,7 +61,7 @@ export class Values {
     return Object.fromEntries(this.#values);
   }
 
-  /** Takes what `all` gave; what is no value is left out. */
+  /** Restores the output of `all`; invalid values are dropped. */
   restore(all: unknown): void {
     this.#values.clear();
     for (const [name, value] of Object.entries((all ?? {}) as object).slice(0, MAX_VALUES)) {
@@ -70,7 +70,7 @@ export class Values {
   }
 }
 
-/** What a question has to be. */
+/** Returns true if a question is in the given state. */
 function holdsOf({ isFinal, isRight, fits }: Answered, text: string): boolean {
   return isFinal && (isOutcome(text, isRight) || fits.includes(text));
 }

@@ -27,7 +27,7 @@ export const mediaAttributes: PropertyDeclarations = {
   playbackRate: { attribute: 'playback-rate', converter: rateFrom },
 };
 
-/** Properties of a media element that are attributes, by these; `muted` is not, which says how the player begins. */
+/** Properties of a media element that reflect attributes, by attribute; `muted` is not among them, because its attribute is only the initial state. */
 export const THEMSELVES: ReadonlyMap<string, string> = new Map([
   ['src', 'src'],
   ['preload', 'preload'],

@@ -1,21 +1,21 @@
 /**
- * Events of media elements come a moment after what they tell of, each in a task of its own and in order, and a new load takes back
- * those that have not come yet (HTML, “queue a media element task” and the load algorithm, step 3).
+ * Media events are dispatched asynchronously, each in its own task and in order; a new load cancels pending ones (HTML, “queue a media element task” and the
+ * load algorithm, step 3).
  */
 
-/** What comes: an event, or something that is done where the specification says so in the same queue. */
+/** Event, or an action that the specification schedules in the same queue. */
 type Step = Event | (() => void);
 
 const queues = new WeakMap<EventTarget, Step[]>();
 
-/** Tasks of all players, in order, and what makes the browser run the next of them. */
+/** Queued tasks of all players, in order; the next variable makes the browser run the next one. */
 const tasks: (() => void)[] = [];
 let knock: (() => void) | undefined;
 
 /** Runs the next task. */
 const run = (): void => tasks.shift()?.();
 
-/** A message makes a task, and none that browsers delay as they do a timer's. */
+/** Opens a message channel for tasks, which browsers do not throttle like timers. */
 function opened(): () => void {
   if (typeof MessageChannel !== 'function') return () => void setTimeout(run);
   const { port1, port2 } = new MessageChannel();
@@ -37,7 +37,7 @@ export function dispatch(media: EventTarget, ...events: readonly (string | Event
   for (const event of events) queue(media, typeof event === 'string' ? new Event(event) : event);
 }
 
-/** Does something after the events that are there. */
+/** Runs an action after the pending events. */
 export function after(media: EventTarget, work: () => void): void {
   queue(media, work);
 }
@@ -49,7 +49,7 @@ function pass(media: EventTarget): void {
   else if (step !== undefined) media.dispatchEvent(step);
 }
 
-/** Takes back what has not come yet of a story that goes; loudness is not of a story, and what was to be done is done. */
+/** Cancels the pending events of an unloaded story; volume events are kept, and pending actions are run. */
 export function takeBack(media: EventTarget): void {
   const steps = queues.get(media)?.splice(0) ?? [];
   for (const step of steps) {
@@ -58,7 +58,7 @@ export function takeBack(media: EventTarget): void {
   }
 }
 
-/** Takes back that a seek has ended: another one begins before pages have heard of that. */
+/** Cancels a pending `seeked` event when another seek starts before it is dispatched. */
 export function takeBackSeek(media: EventTarget): void {
   const steps = queues.get(media) ?? [];
   const at = steps.findIndex((step) => step instanceof Event && step.type === 'seeked');
@@ -66,7 +66,7 @@ export function takeBackSeek(media: EventTarget): void {
   if (at >= 0) steps.splice(Math.max(0, at - 1), Math.min(2, at + 1));
 }
 
-/** Whether an event of a type has not come yet. */
+/** Returns true if an event of a type is pending. */
 export function isPending(media: EventTarget, type: string): boolean {
   return queues.get(media)?.some((step) => step instanceof Event && step.type === type) ?? false;
 }

@@ -1,4 +1,4 @@
-/** What numbers, texts and states of a media element are, by the HTML standard's interface. */
+/** Values, texts and states of a media element, by the HTML standard's interface. */
 
 import { RATES } from '../base/clock.js';
 
@@ -17,7 +17,7 @@ const states = {
 /** The constants of `readyState` and `networkState`. */
 export type MediaStates = typeof states;
 
-/** Gives a class and its instances these constants. */
+/** Adds these constants to a class and its instances. */
 export function addStates(element: { prototype: object }): void {
   for (const target of [element, element.prototype]) {
     for (const [name, value] of Object.entries(states)) Object.defineProperty(target, name, { value, enumerable: true });
@@ -62,20 +62,20 @@ const from = (check: (value: unknown) => number) => ({
 export const volumeFrom = from(checkedVolume);
 export const rateFrom = from(checkedRate);
 
-/** What `preload` says: an attribute that is not there, or no word of the standard, is `metadata`. */
+/** Parses `preload`: a missing or unknown value is `metadata`. */
 export function preloadOf(attribute: string | null): 'none' | 'metadata' | 'auto' {
   const word = attribute?.toLowerCase();
   if (word === '') return 'auto';
   return word === 'none' || word === 'auto' ? word : 'metadata';
 }
 
-/** What `crossorigin` says: whether credentials go to other origins. */
+/** Parses `crossorigin`: the credentials mode for other origins. */
 export function crossOriginOf(attribute: string | null): 'anonymous' | 'use-credentials' | null {
   if (attribute === null) return null;
   return attribute.toLowerCase() === 'use-credentials' ? 'use-credentials' : 'anonymous';
 }
 
-/** How sure it is that a story of a MIME type can be told. */
+/** Returns the likelihood that a story of a MIME type can be played. */
 export function canPlay(type: string): CanPlayTypeResult {
   const name = type.split(';')[0]?.trim().toLowerCase();
   if (name === 'application/eml+xml') return 'probably';

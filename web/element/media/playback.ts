@@ -1,13 +1,12 @@
 /**
- * Playing as a media element promises it (HTML, section 4.8.11.8 “Playing the media resource”):
- * `paused` changes at once, and what `play()` gave is kept when playing begins and broken by
- * `pause()`, `load()` or an error.
+ * Playback as defined for a media element (HTML, section 4.8.11.8 “Playing the media resource”): `paused` changes immediately, and the promise of `play()` is
+ * resolved when playback starts and rejected by `pause()`, `load()` or an error.
  */
 
 import type { Permission } from '../sound/outlet.js';
 import type { Transport } from './transport.js';
 
-/** Events of playing without a story; with one, the transport tells them. */
+/** Playback events without a story; with one, the transport sends them. */
 export type PlaybackEvent = 'play' | 'waiting' | 'pause';
 
 interface Pending {
@@ -15,7 +14,7 @@ interface Pending {
   reject(error: DOMException): void;
 }
 
-/** Whether playing is wanted, and the promises that wait for it. */
+/** Requested playback state, and the promises that depend on it. */
 export class Playback {
   readonly #permission: Permission;
   readonly #emit: (event: PlaybackEvent) => unknown;
@@ -29,7 +28,7 @@ export class Playback {
   /** The attribute `autoplay` counts: neither `play` nor `pause` was called since loading began. */
   mayAutoplay = true;
 
-  /** `ensure` begins to load missing parts, and must not throw; `after` does something once the events that are there have come. */
+  /** Creates the state; `ensure` starts to load missing parts, and must not throw; `after` runs an action after the pending events. */
   constructor(permission: Permission, emit: (event: PlaybackEvent) => unknown, ensure: () => void, after: (work: () => void) => void) {
     this.#permission = permission;
     this.#emit = emit;
@@ -41,7 +40,7 @@ export class Playback {
     return this.#transport?.paused ?? !this.#wanted;
   }
 
-  /** Plays; resolves when it really does. */
+  /** Starts playback; resolves when it has started. */
   play(): Promise<void> {
     this.mayAutoplay = false;
     const kept = new Promise<void>((resolve, reject) => this.#pending.push({ resolve, reject }));
@@ -70,7 +69,7 @@ export class Playback {
     if (this.#wanted) transport.play(true);
   }
 
-  /** The story goes, or is not wanted any more: promises are rejected, and no `pause` is dispatched. */
+  /** Detaches an unloaded or cancelled story: promises are rejected, and no `pause` is dispatched. */
   detach(): void {
     this.#transport = undefined;
     this.#wanted = false;
@@ -115,7 +114,7 @@ export class Playback {
     this.#breakAfter('NotAllowedError', 'The browser allows sound only after the user has done something.');
   }
 
-  /** Pages hear first of what has happened. */
+  /** Rejects the promises after the pending events have been dispatched. */
   #breakAfter(name: string, message: string): void {
     const pending = this.#settle();
     this.#after(() => reject(pending, name, message));

@@ -1,4 +1,4 @@
-/** An element whose updates come when something depends on them. */
+/** Element that updates synchronously on demand. */
 
 import { LitElement } from 'lit';
 
@@ -6,12 +6,12 @@ export abstract class PromptElement extends LitElement {
   /** Listeners may be called in the middle of an update. */
   #updating = false;
 
-  /** A change of an attribute takes effect with the next update; calls that depend on it bring that update about at once. */
+  /** Applies pending attribute changes immediately, for calls that depend on them; otherwise they take effect with the next update. */
   protected settleAttributes(): void {
     if (this.hasUpdated && this.isUpdatePending && !this.#updating) this.performUpdate();
   }
 
-  /** Whoever waits for an update has it also where the element was never in a document: it is played there, too. */
+  /** Completes pending updates even if the element was never in a document, because it can play there too. */
   protected override getUpdateComplete(): Promise<boolean> {
     if (!this.hasUpdated && !this.isConnected) {
       // As with the first connection.

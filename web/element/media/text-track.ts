@@ -4,7 +4,7 @@
  */
 
 const MODES: readonly string[] = ['disabled', 'hidden', 'showing'];
-/** A cue at the very time from which the story is told is told, too. */
+/** Tolerance that includes a cue exactly at the starting time. */
 const AT_ONCE_SECS = 1e-9;
 
 /** Cues by time, and by their `id`. */
@@ -14,11 +14,11 @@ export class CueList extends Array<TextTrackCue> {
   }
 }
 
-/** What a moment brings to a track. */
+/** Changes of a track at a time. */
 export interface Step {
   /** A cue that ends wants the story to pause. */
   readonly pauses: boolean;
-  /** Tells the cues and the track of it. */
+  /** Dispatches the events of the cues and the track. */
   tell(): void;
 }
 
@@ -43,7 +43,7 @@ export class StoryTextTrack extends EventTarget {
   #mode: TextTrackMode;
   readonly #cues = new CueList();
   readonly #active = new CueList();
-  /** What begins later than this has not been told. */
+  /** Time after which cues have not been dispatched. */
   #toldSecs = -AT_ONCE_SECS;
 
   constructor(about: { kind: TextTrackKind; label: string; language: string; id?: string }, mode: TextTrackMode, changed: (track: StoryTextTrack, isCue: boolean) => void) {
@@ -57,7 +57,7 @@ export class StoryTextTrack extends EventTarget {
     this.addEventListener('cuechange', (event) => this.oncuechange?.(event));
   }
 
-  /** `disabled`: nobody looks at it; `hidden`: its cues are told; `showing`: and seen, where it is the story's own. */
+  /** Mode of the track. `disabled`: inactive; `hidden`: its cues are dispatched; `showing`: they are also displayed, if the track is the story's own. */
   get mode(): TextTrackMode {
     return this.#mode;
   }
@@ -69,7 +69,7 @@ export class StoryTextTrack extends EventTarget {
     this.#changed(this, false);
   }
 
-  /** The player, not the page, shows it or not; whether that is new. */
+  /** Shows or hides the track on behalf of the player, not the page; returns true if the mode changed. */
   setShown(shown: boolean): boolean {
     if (shown === (this.#mode === 'showing')) return false;
     this.#mode = shown ? 'showing' : 'disabled';
@@ -81,7 +81,7 @@ export class StoryTextTrack extends EventTarget {
     return this.#mode === 'disabled' ? null : this.#cues.sort(byTime);
   }
 
-  /** Those of the present moment; null while the track is disabled. */
+  /** Current cues; null while the track is disabled. */
   get activeCues(): CueList | null {
     return this.#mode === 'disabled' ? null : this.#active;
   }
@@ -103,13 +103,13 @@ export class StoryTextTrack extends EventTarget {
     setTrack(cue, null);
   }
 
-  /** Other cues in the place of all. */
+  /** Replaces all cues. */
   replaceCues(cues: readonly TextTrackCue[]): void {
     this.#cues.splice(0, Infinity, ...cues);
     for (const cue of cues) setTrack(cue, this);
   }
 
-  /** The story goes on from elsewhere: what lies between is not told. */
+  /** Jumps to a time: cues between are not dispatched. */
   leap(secs: number): void {
     this.#toldSecs = secs - AT_ONCE_SECS;
   }
@@ -120,7 +120,7 @@ export class StoryTextTrack extends EventTarget {
     this.leap(0);
   }
 
-  /** Brings it to a moment (HTML, “time marches on”): cues that begin and end, also those that did both since the moment before. */
+  /** Advances to a time (HTML, “time marches on”): cues that start and end, including those that did both since the last time. */
   march(secs: number): Step | undefined {
     if (this.#mode === 'disabled') return undefined;
     if (secs < this.#toldSecs) this.leap(secs);
@@ -146,7 +146,7 @@ export class StoryTextTrack extends EventTarget {
   }
 }
 
-/** The browser's own property only knows tracks of its own. */
+/** Sets the track of a cue; the browser's own property only supports native tracks. */
 function setTrack(cue: TextTrackCue, value: StoryTextTrack | null): void {
   Object.defineProperty(cue, 'track', { value, configurable: true });
 }

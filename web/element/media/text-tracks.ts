@@ -1,9 +1,9 @@
-/** The list of a player's text tracks (HTML, 4.8.11.11): the story's captions are one, and pages add others. */
+/** Text track list of a player (HTML, 4.8.11.11): the story's captions are one track, and pages add others. */
 
 import type { Caption } from '../captions/captions.js';
 import { StoryTextTrack, type Step } from './text-track.js';
 
-/** What the interface allows. */
+/** Track kinds allowed by the interface. */
 const KINDS: readonly string[] = ['subtitles', 'captions', 'descriptions', 'chapters', 'metadata'];
 
 /** A part of a story that has a title. */
@@ -32,7 +32,7 @@ export class StoryTextTracks extends EventTarget {
   readonly #cueAdded: () => void;
   #isTold = true;
 
-  /** `show` hears whether a page wants the story's own captions on screen, `cueAdded` that there is another cue. */
+  /** Creates the list; `show` is called when a page shows or hides the story's own captions, `cueAdded` when a cue is added. */
   constructor(show: (shown: boolean) => void, cueAdded: () => void) {
     super();
     this.#show = show;
@@ -82,7 +82,7 @@ export class StoryTextTracks extends EventTarget {
     this.#changed('addtrack', own);
   }
 
-  /** The parts of the story, as chapters of its own language; none: it has no such track. */
+  /** Sets the parts of the story as chapters in its language; an empty list removes that track. */
   setParts(parts: readonly Part[], language: string): void {
     const before = this.#parts;
     this.#parts = undefined;
@@ -94,12 +94,12 @@ export class StoryTextTracks extends EventTarget {
     this.#changed('addtrack', chapters);
   }
 
-  /** The captions of the story are shown, or not. */
+  /** Shows or hides the captions of the story. */
   setShown(shown: boolean): void {
     if (this.#own?.setShown(shown)) this.#tell();
   }
 
-  /** The story goes on from elsewhere. */
+  /** Jumps to another time. */
   leap(secs: number): void {
     for (const track of this.#all) track.leap(secs);
   }
@@ -109,7 +109,7 @@ export class StoryTextTracks extends EventTarget {
     for (const track of this.#all) track.rest();
   }
 
-  /** Brings the tracks to a moment of the story; `pause` is called, before anybody hears of it, where a cue wants that. */
+  /** Advances the tracks to a time of the story; `pause` is called, before any event, if a cue has pause-on-exit. */
   march(captions: readonly Caption[], secs: number, pause: () => void): void {
     const all = this.#all.filter(({ mode }) => mode !== 'disabled');
     if (all.length === 0) return;

@@ -4,31 +4,31 @@ import { clampRate, StoryClock } from '../base/clock.js';
 import { Ranges, united, type Span } from '../base/ranges.js';
 import type { Voice } from '../sound/voice.js';
 
-/** From a command to the first sample, so that the browser has time to plan it. */
+/** Delay from a command to the first sample, so that the browser can schedule it. */
 const LEAD_SECS = 0.03;
 
-/** What a transport tells its element; the names of media events. */
+/** Events of a transport; the names of media events. */
 export type TransportEvent = 'play' | 'playing' | 'pause' | 'waiting' | 'seeking' | 'seeked' | 'ratechange' | 'ended';
 
-/** Where a performance is, and whether it moves. */
+/** Position and playback state of a performance. */
 export class Transport {
   readonly #clock = new StoryClock();
   readonly #voice: Voice;
   #endSecs: number;
   readonly #emit: (event: TransportEvent) => void;
-  /** The heard time never steps back while playing, though clocks wobble. */
+  /** Latest audible time; it never decreases during playback, even if clocks jitter. */
   #latest = 0;
-  /** A moment of this run at which all was ready. */
+  /** Time of this run up to which everything was ready. */
   #ready = 0;
   #paused = true;
   #waiting = false;
   #ended = false;
   #rate = 1;
-  /** What was played, but for the present run, and where that began. */
+  /** Played ranges, except the current run; the next field is its start. */
   #played: Span[] = [];
   #since: number | undefined;
   loop = false;
-  /** The clock may pass the end, because more may come. */
+  /** True if the clock may pass the end, because more content may arrive. */
   openEnded = false;
 
   constructor(voice: Voice, durationSecs: number, emit: (event: TransportEvent) => void, rate = 1) {
@@ -55,7 +55,7 @@ export class Transport {
     return this.#rate;
   }
 
-  /** The story time that the listener hears. */
+  /** Audible story time. */
   get position(): number {
     if (this.#clock.running) {
       this.#latest = Math.max(this.#latest, this.#clock.at(this.#voice.heard()));
@@ -65,24 +65,24 @@ export class Transport {
     return Math.min(this.#latest, this.#endSecs);
   }
 
-  /** What was played. */
+  /** Played ranges. */
   get played(): Ranges {
     return new Ranges(this.#since === undefined ? this.#played : [...this.#played, [this.#since, this.position]]);
   }
 
-  /** When all that is known is over. */
+  /** End of all known content. */
   get endSecs(): number {
     return this.#endSecs;
   }
 
-  /** There is something to perform until then. */
+  /** Extends the content to a time. */
   extend(endSecs: number): void {
     if (endSecs <= this.#endSecs) return;
     this.#endSecs = endSecs;
     this.#ended = false;
   }
 
-  /** Another text ends elsewhere; `spoken` when it also says something else, whose sounds are to be planned. */
+  /** Sets the end of a replaced text; `spoken` is true if its speech changed too and must be scheduled again. */
   replace(endSecs: number, spoken: boolean): void {
     const running = this.#clock.running;
     if (running && spoken) this.#rest();
@@ -136,14 +136,14 @@ export class Transport {
     this.#emit('ratechange');
   }
 
-  /** What is planned is to be planned anew. */
+  /** Cancels and repeats all scheduling. */
   replan(): void {
     if (this.#paused || this.#waiting) return;
     this.#rest();
     this.#run(false);
   }
 
-  /** Called for each picture and a few times a second when there is none; the story time heard. */
+  /** Updates the audible story time and returns it; called for each frame and a few times per second without frames. */
   update(): number {
     const position = this.position;
     if (this.#paused) return position;
@@ -164,7 +164,7 @@ export class Transport {
     return this.position;
   }
 
-  /** Where it had to stop: pictures may come slowly, and what begins between two of them is not to be passed. */
+  /** Returns the time at which playback must stop: frames may be slow, and sounds that start between two of them must not be passed. */
   #lastReady(position: number): number {
     let [ready, not] = [Math.min(this.#ready, position), position];
     for (let i = 0; i < 12 && this.#voice.ready(ready); i++) {
@@ -182,12 +182,12 @@ export class Transport {
     this.#clock.rest(secs);
   }
 
-  /** The sound at a place is there, and so is what plays it: a browser may suspend or close that at any time. */
+  /** Returns true if the audio at a position is ready and its context is running: a browser may suspend or close that at any time. */
   #mayRun(position: number): boolean {
     return this.#voice.running && this.#voice.ready(position);
   }
 
-  /** `told`: pages hear that it plays. */
+  /** Starts a run; `told`: the events of playback are dispatched. */
   #run(told = true): void {
     const position = this.#latest;
     this.#voice.prepare(position, this.#rate || 1);

@@ -1,4 +1,4 @@
-/** The connection of a player to the mind that its attribute names, and whether the performance stays open for it. */
+/** Connection of a player to the mind named in its attribute; keeps the performance open for it. */
 
 import { fire, type PlayerContext } from '../story/context.js';
 import { dropped, interrupts, perform, Sender } from '../story/fragments.js';
@@ -9,14 +9,14 @@ import type { Show } from '../story/show.js';
 export class MindConnection {
   readonly #context: PlayerContext;
   #link: MindLink | undefined;
-  /** A mind is named, and the code that connects to it is being fetched: an empty story does not end meanwhile. */
+  /** True while the connection code of a named mind is being fetched: an empty story does not end meanwhile. */
   #awaited = false;
 
   constructor(context: PlayerContext) {
     this.#context = context;
   }
 
-  /** The clock may pass the end of the story, because more may come. */
+  /** True if the clock may pass the end of the story, because more content may arrive. */
   get openEnded(): boolean {
     return this.#link?.listening ?? this.#awaited;
   }

@@ -4,25 +4,25 @@ import type { MindEvent, Note } from '../base/mind-events.js';
 import type { Answer } from '../base/performance.js';
 import type { Diagnostic, MindState } from '../base/types.js';
 
-/** A longer message is no fragment; the engine takes a quarter of this. */
+/** Maximum length of a message; the engine accepts a quarter of it. */
 const MAX_CHARACTERS = 65_536;
 /** Fragments refused for their pace, one after another, after which the connection is closed. */
 const MAX_REFUSED = 100;
-/** While this much is unsent, because the mind does not read, events are dropped and counted. */
+/** Amount of unsent data, because the mind does not read, above which events are dropped and counted. */
 const MAX_UNREAD_BYTES = 1_000_000;
 /** Waits before connecting again: the first, and the longest; each is twice the one before. */
 const WAIT_MS = { first: 500, longest: 30_000 };
-/** A connection that has held this long was a good one: the next wait is the first again. */
+/** Duration after which a connection counts as stable, and the reconnection delay is reset. */
 const STEADY_MS = 5_000;
 /** The performance stays open-ended for so long after a mind was lost, or first called. */
 const GRACE_MS = 30_000;
 
-/** The player, as a mind sees it. */
+/** Player, as seen by a mind. */
 export interface MindHost {
   hello(): { timeSecs: number; endSecs: number; figure: string };
-  /** At once, or later where it has to be spoken first. */
+  /** Performs a fragment immediately, or later if it must be spoken first. */
   perform(fragment: string): readonly Answer[] | Promise<readonly Answer[]>;
-  /** Whether a message ends fragments. */
+  /** Returns true if a message ends fragments. */
   interrupts(message: string): boolean;
   /** Until fragments are interrupted the next time. */
   turn(): AbortSignal;
@@ -32,7 +32,7 @@ export interface MindHost {
   state(state: MindState): void;
 }
 
-/** The connection to one mind, made anew whenever it is lost. */
+/** Connection to one mind, with automatic reconnection. */
 export class MindLink {
   readonly #url: URL;
   readonly #host: MindHost;
@@ -42,10 +42,10 @@ export class MindLink {
   #refused = 0;
   #lost = 0;
   #openedMs = 0;
-  /** When a mind was last there, or first called. */
+  /** Time at which a mind was last connected, or first contacted. */
   #seenMs = performance.now();
   #closed = false;
-  /** Fragments that wait to be spoken, and the last of them. */
+  /** Number of fragments awaiting speech, and the last of them. */
   #speaking = 0;
   #spoken: Promise<void> = Promise.resolve();
 
@@ -54,7 +54,7 @@ export class MindLink {
     this.#host = host;
   }
 
-  /** Connects; undefined, with a diagnostic, where the address is none of a mind. */
+  /** Connects to a mind; returns undefined, with a diagnostic, if the address is invalid. */
   static open(address: string, host: MindHost): MindLink | undefined {
     const url = URL.canParse(address, document.baseURI) ? new URL(address, document.baseURI) : undefined;
     // An address relative to the page means its server.
@@ -75,12 +75,12 @@ export class MindLink {
     return link;
   }
 
-  /** Whether a mind is there, or was a moment ago. */
+  /** True if a mind is connected, or was shortly before. */
   get listening(): boolean {
     return this.#socket?.readyState === WebSocket.OPEN || performance.now() - this.#seenMs < GRACE_MS;
   }
 
-  /** Tells the mind what happens, if it is there and reads. */
+  /** Sends an event to the mind, if it is connected and reads. */
   tell(event: MindEvent): void {
     const socket = this.#socket;
     if (socket?.readyState !== WebSocket.OPEN) return;
@@ -129,7 +129,7 @@ export class MindLink {
     };
   }
 
-  /** Waits, twice as long each time, and not as long as all others who lost the same mind. */
+  /** Reconnects after a delay that doubles each time, with random jitter against simultaneous reconnection of many players. */
   #again(): void {
     this.#socket = undefined;
     if (this.#openedMs > 0 || this.#failures === 0) {

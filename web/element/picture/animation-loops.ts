@@ -1,8 +1,8 @@
-/** What keeps a player going: a picture whenever the screen takes one, and a slower beat where none is drawn. */
+/** Timers of a player: a callback for each screen frame, and a slower one without rendering. */
 
-/** `timeupdate`, and everything while the page is hidden, comes this often; media elements do about the same. */
+/** Interval of `timeupdate`, and of all updates while the page is hidden; media elements use about the same. */
 const BEAT_MS = 250;
-/** Where a hidden page is watched elsewhere, in a window over others or as a stream, pictures come this often. */
+/** Frame interval on a hidden page whose picture is visible elsewhere, in a picture-in-picture window or a stream. */
 const ELSEWHERE_MS = 40;
 
 /** The loops of one player. */
@@ -14,19 +14,19 @@ export class AnimationLoops {
   readonly #isElsewhere: () => boolean;
   #elsewhere: ReturnType<typeof setInterval> | undefined;
 
-  /** `picture` is called for each picture of the screen, and with the beat where there are none, more often where `isElsewhere`; `beat` with each beat. */
+  /** Creates the timers; `picture` is called for each screen frame, and with the beat if there are none, more often if `isElsewhere`; `beat` with each beat. */
   constructor(picture: () => void, beat: () => void, isElsewhere: () => boolean) {
     this.#picture = picture;
     this.#onBeat = beat;
     this.#isElsewhere = isElsewhere;
   }
 
-  /** Whether the screen requests pictures. */
+  /** True if the screen requests frames. */
   get drawing(): boolean {
     return this.#animation !== 0 && !document.hidden;
   }
 
-  /** Runs the loops that are needed now, and no others. */
+  /** Runs only the loops required by the current state. */
   keep(playing: boolean, onScreen: boolean): void {
     if (playing && this.#beat === undefined) {
       this.#beat = setInterval(() => {

@@ -1,6 +1,6 @@
-/** Canvases that pictures are drawn on. */
+/** Canvases for rendering. */
 
-/** One of its own for each try, since a lost canvas keeps its dead context. `lost`: the graphics card has taken its context of WebGL. */
+/** Creates a canvas for each attempt, because a lost canvas keeps its dead context. `lost`: its WebGL context was lost. */
 export function newCanvas(lost: () => void): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   canvas.setAttribute('aria-hidden', 'true');
@@ -11,7 +11,7 @@ export function newCanvas(lost: () => void): HTMLCanvasElement {
   return canvas;
 }
 
-/** What a canvas shows, if it was drawn just now: a canvas forgets its picture when it has gone to the screen. */
+/** Returns a copy of a canvas just rendered: a canvas loses its image after presentation. */
 export function copyOf(from: HTMLCanvasElement): HTMLCanvasElement | undefined {
   if (from.width === 0 || from.height === 0) return undefined;
   const to = document.createElement('canvas');

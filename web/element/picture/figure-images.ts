@@ -1,4 +1,4 @@
-/** The pictures on the figure: those of its file, decoded, and what is painted over them. */
+/** Images of the figure: those of its file, decoded, and the paint over them. */
 
 import { showImages } from '../engine/figure.js';
 import type { GivenFace } from '../face/given-face.js';
@@ -6,11 +6,11 @@ import type { StoryReader } from './story-reader.js';
 import type { Engine } from '../base/engine.js';
 import type { Diagnostic } from '../base/types.js';
 
-/** The canvas keeps its last picture until those of the figure are decoded: a face without its skin is not shown. */
+/** Loads the images of a figure. The canvas keeps its last frame until they are decoded, so that a face without skin is never shown. */
 export class FigureImages {
   readonly #reader: StoryReader;
   readonly #given: GivenFace;
-  /** Whether an engine is the one that draws. */
+  /** Returns true if an engine is the one that renders. */
   readonly #draws: (engine: Engine) => boolean;
   #pending = false;
   #missing: Promise<Diagnostic[]> = Promise.resolve([]);
@@ -27,12 +27,12 @@ export class FigureImages {
     return this.#pending;
   }
 
-  /** What of the figure is missing, once they are decoded. */
+  /** Diagnostics about missing images, after decoding. */
   get missing(): Promise<Diagnostic[]> {
     return this.#missing;
   }
 
-  /** Decodes those of the figure that an engine has read, and paints over them; what of the figure is missing. */
+  /** Decodes the images of the figure that an engine has read, and applies the paint; returns diagnostics about missing images. */
   decode(engine: Engine): Promise<Diagnostic[]> {
     return (this.#missing = this.#decode(engine));
   }
@@ -51,13 +51,13 @@ export class FigureImages {
     return missing;
   }
 
-  /** Paints what the face has got. */
+  /** Applies the paint of the face. */
   async paint(engine: Engine): Promise<void> {
     const { figure } = this.#reader.files;
     await this.#given.paint(engine, () => this.#draws(engine) && figure === this.#reader.files.figure);
   }
 
-  /** Nobody waits for them any more. */
+  /** Cancels loading. */
   close(): void {
     this.#closed = true;
   }

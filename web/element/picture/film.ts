@@ -1,20 +1,20 @@
 /**
- * A film of the story, baked by `raconteur render --video`, in the place of a picture where none can be
- * drawn: silent, on the story's clock, which stays the master. Fetched only by players without a picture.
+ * Film of the story, made by `raconteur render --video`, as a fallback without graphics: silent, synchronised with the story's clock. Fetched only by players
+ * without graphics.
  */
 
-/** Beyond this the film is set to its place; within it plays a little slower or faster until it is there. Lips that are so far from the sound are seen. */
+/** Drift above which the film seeks; below it the playback rate is adjusted. Lip sync errors of this size are visible. */
 const JUMP_SECS = 0.3;
-/** A picture of the film is as long. */
+/** Duration of a film frame. */
 const NEAR_SECS = 0.04;
 /** The most by which its speed leaves the story's. */
 const MAX_PULL = 0.1;
-/** It is given this long to come to its place before it is set anew: a seek takes a while where pictures are decoded slowly. */
+/** Time allowed for a seek before the next: seeking is slow where decoding is slow. */
 const SETTLE_MS = 500;
-/** While the story rests the film stands within a picture of its place. */
+/** Tolerance while the story is paused: the film is within a frame of its position. */
 const REST_SECS = 0.02;
 
-/** Where the story is. */
+/** Current state of the story. */
 export interface FilmTime {
   readonly secs: number;
   /** Time passes. */
@@ -22,7 +22,7 @@ export interface FilmTime {
   readonly rate: number;
 }
 
-/** What to do with a film that is `drift` seconds ahead of the story: a place to set, or a speed. */
+/** Returns the correction for a film that is `drift` seconds ahead of the story: a seek, or a playback rate. */
 export function steerFilm(drift: number, rate: number): 'set' | number {
   if (Math.abs(drift) > JUMP_SECS) return 'set';
   return Math.abs(drift) < NEAR_SECS ? rate : rate * (1 - Math.min(MAX_PULL, Math.max(-MAX_PULL, drift)));
@@ -35,7 +35,7 @@ export class Film {
   #now: FilmTime = { secs: 0, runs: false, rate: 1 };
   #setMs = -Infinity;
 
-  /** `addresses` are those of the same film in several encodings; `onMissing` is called when none of them can be played. */
+  /** Creates the film; `addresses` are its encodings; `onMissing` is called if none of them can be played. */
   constructor(addresses: readonly URL[], onMissing: () => void) {
     this.#addresses = [...addresses];
     this.#onMissing = onMissing;
@@ -49,7 +49,7 @@ export class Film {
     this.#next();
   }
 
-  /** Goes where the story is; called for each picture, and when the story stops or begins. */
+  /** Follows the story; called for each frame, and when the story stops or starts. */
   follow(now: FilmTime): void {
     this.#now = now;
     this.#steer();

@@ -1,29 +1,29 @@
-/** How fast pictures follow each other, and how finely each may be drawn. */
+/** Frame rate and rendering quality. */
 
 import type { Engine } from '../base/engine.js';
 
 export class FramePacer {
-  /** When the last picture of a running sequence was requested. */
+  /** Time of the last requested frame of a running sequence. */
   #lastAsked = 0;
   #resting = true;
 
-  /** As if nothing had been shown yet. */
+  /** Resets as if no frame had been shown. */
   restart(engine: Engine): void {
     this.#lastAsked = 0;
     engine.setResting((this.#resting = true));
   }
 
-  /** A new engine goes on as the last one. */
+  /** Transfers the state to a new engine. */
   pass(engine: Engine): void {
     engine.setResting(this.#resting);
   }
 
-  /** A picture that stands still, or is one of few, has the time for every pixel. */
+  /** Selects full quality for a still frame, or one of few. */
   rest(engine: Engine, resting: boolean): void {
     if (resting !== this.#resting) engine.setResting((this.#resting = resting));
   }
 
-  /** Tells the engine how fast pictures come while the story plays on screen; it draws more simply where they are slow. */
+  /** Reports the frame rate of visible playback to the engine, which reduces the quality if it is low. */
   keep(engine: Engine, running: boolean): void {
     const now = performance.now();
     if (running && this.#lastAsked > 0) engine.reportFrame(now - this.#lastAsked);

@@ -1,17 +1,16 @@
-/** What a canvas holds of the graphics card, and how it is given back. */
+/** GPU resources of a canvas and their release. */
 
 import type { Backend } from '../base/types.js';
 
-/** The parts of WebGPU that are used here; TypeScript's library does not have them. */
+/** Subset of WebGPU used here; TypeScript's library lacks it. */
 interface GpuContext {
   getConfiguration?(): { readonly device?: { destroy(): void } } | null;
   unconfigure(): void;
 }
 
 /**
- * Gives back what a canvas holds: the device of WebGPU with all its textures, buffers and pipelines, or
- * the context of WebGL. Both live until garbage collection otherwise, of which the browser knows no
- * need: to it each of them is a small object.
+ * Releases the resources of a canvas: the WebGPU device with all its textures, buffers and pipelines, or the WebGL context. Otherwise both live until garbage
+ * collection, which the browser has no reason to run: it considers each a small object.
  */
 export function giveBack(canvas: HTMLCanvasElement, backend: Backend): void {
   try {

@@ -1,29 +1,29 @@
-/** Keeps the picture of a player from one story to the next: a device, its pipelines and the figure's pictures take longer to make than all the rest. */
+/** Keeps the picture of a player between stories: device, pipelines and figure textures take longer to create than everything else. */
 
 import type { StoryFiles } from '../engine/loader.js';
 import { Picture } from './picture.js';
 import type { PictureEvents } from './picture-events.js';
 import type { Backend, Diagnostic, Story } from '../base/types.js';
 
-/** A picture that shows a story. */
+/** Picture that shows a story. */
 export interface OpenedPicture {
   readonly picture: Picture;
   readonly story: Story;
-  /** What of the figure could not be shown. */
+  /** Diagnostics about missing parts of the figure. */
   readonly missing: readonly Diagnostic[];
 }
 
-/** Owns the picture of one player. */
+/** Owner of the picture of one player. */
 export class PictureKeeper {
   #picture: Picture | undefined;
-  /** Stories that come quickly after each other are read one after another: there is one stage. */
+  /** Queue of work: stories in quick succession are read one after another, because there is only one stage. */
   #work: Promise<unknown> = Promise.resolve();
-  /** Changes when everything is given back. */
+  /** Token replaced when everything is released. */
   #life = {};
 
   /**
-   * Shows a story with the picture that is there, or with a new one of the first back end that gives
-   * one. Rejects when the story or its figure cannot be read, and when it is not wanted any more.
+   * Shows a story with the existing picture, or with a new one of the first available back end. Rejects if the story or its figure cannot be read, or if the
+   * request is cancelled.
    */
   open(backends: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents, signal: AbortSignal): Promise<OpenedPicture> {
     const life = this.#life;
@@ -51,7 +51,7 @@ export class PictureKeeper {
     return undefined;
   }
 
-  /** Releases the picture, also one that is still being made. */
+  /** Releases the picture, including one still being created. */
   close(): void {
     this.#life = {};
     this.#picture?.close();

@@ -1,16 +1,19 @@
-/** What a picture tells its element of. */
+/** Events from a picture to its element. */
 
 import type { Story } from '../base/types.js';
 
 export interface PictureEvents {
-  /** A canvas to show in place of the last one. */
+  /** Provides a canvas that replaces the last one. */
   canvas(canvas: HTMLCanvasElement): void;
-  /** The picture went away; sound and captions go on. `recovering`: it is being brought back. */
+  /** Reports a lost picture; audio and captions continue. `recovering`: it is being restored. */
   lost(recovering: boolean): void;
-  /** The picture is back. */
+  /** Reports a restored picture. */
   back(): void;
-  /** Animations have come: the story has other times, and problems that are listed apart. `live`: they are of live clauses, the story stays. `anew`: the story was read again, and tells all of its problems. */
+  /**
+   * Reports a story with new times and separate diagnostics after animations have loaded. `live`: they belong to live clauses, the story stays. `anew`: the
+   * story was read again, with all of its diagnostics.
+   */
   retold(story: Story, live: boolean, anew: boolean): void;
-  /** The engine died, for the reason given as a sentence; another one takes its place. */
+  /** Reports a fatal engine error with its reason as a sentence; another engine replaces it. */
   failed(message: string): void;
 }

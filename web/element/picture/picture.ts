@@ -1,4 +1,4 @@
-/** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
+/** Picture: an engine on a canvas, its size, and recovery from loss of the graphics device. */
 
 import { applyView, PictureRequest } from './picture-request.js';
 import { createEngine } from '../engine/backend.js';
@@ -30,14 +30,14 @@ import {
   type EnvironmentExpression,
 } from '../base/types.js';
 
-/** More device pixels than this for a CSS pixel cost time and are not seen. */
+/** Maximum device pixel ratio; higher ones cost time without a visible benefit. */
 const MAX_DPR = 2;
-/** A lost picture is restored by itself this often, the last time by the next back end that may be used; then a button offers it. */
+/** Maximum number of automatic recoveries, the last one with the next back end; then a button offers it. */
 const MAX_RECOVERIES = 2;
-/** A graphics card that was reset is not back at once. */
+/** Delay before recovery: a reset graphics device is not available immediately. */
 const RECOVERY_DELAY_MS = 600;
 
-/** Owns the engine of one player. A trap in it costs the picture, not the story. */
+/** Owner of the engine of one player. A trap in it loses the picture, not the story. */
 export class Picture {
   #backend: Backend;
   /** Those that may be used instead, the best first. */
@@ -50,13 +50,13 @@ export class Picture {
   #recoveries = 0;
   #lost = false;
   #closed = false;
-  /** The moment shown last: a new engine goes on from there, so that no cue comes twice. */
+  /** Last shown time: a new engine continues from it, so that no cue is repeated. */
   #lastShown = 0;
   readonly #asked = new PictureRequest();
   readonly #given = new GivenFace();
   readonly #reader: StoryReader;
   readonly #images: FigureImages;
-  /** When the first picture was drawn, on the page's clock. */
+  /** Time of the first rendered frame, on the page's clock. */
   firstShownMs: number | undefined;
 
   private constructor([backend, ...others]: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents) {
@@ -67,10 +67,7 @@ export class Picture {
     this.#events = events;
   }
 
-  /**
-   * Opens a picture with the first back end that gives one, and reads the story; the story is
-   * read even where none does.
-   */
+  /** Opens a picture with the first available back end, and reads the story, even if no back end is available. */
   static async open(backends: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents): Promise<{ picture: Picture; story: Story; missing: Diagnostic[] }> {
     const picture = new Picture(backends, files, events);
     do {
@@ -91,9 +88,8 @@ export class Picture {
   }
 
   /**
-   * Tells another story with the device, the pipelines and, if it is the same one, the figure that are
-   * here; undefined when the engine died of it. Throws, and may be called again, when the figure cannot
-   * be read.
+   * Reads another story and reuses the device, the pipelines and, if it is the same one, the figure; undefined if the engine died. Throws, and may be called
+   * again, if the figure cannot be read.
    */
   async replaceStory(files: StoryFiles, events: PictureEvents): Promise<{ story: Story; missing: Diagnostic[] } | undefined> {
     const engine = this.#engine;
@@ -120,14 +116,14 @@ export class Picture {
     return { story, missing: await (same ? this.#images.missing : this.#images.decode(engine)) };
   }
 
-  /** Goes on with the next back end, if there is one. */
+  /** Switches to the next back end, if there is one. */
   #stepDown(): boolean {
     const next = this.#others.shift();
     if (next !== undefined) this.#backend = next;
     return next !== undefined;
   }
 
-  /** As if nothing had been shown yet. */
+  /** Resets as if no frame had been shown. */
   #restart(engine: Engine): void {
     this.#lastShown = this.#recoveries = 0;
     this.firstShownMs = undefined;
@@ -144,7 +140,7 @@ export class Picture {
     return this.#lost;
   }
 
-  /** How much work goes into a picture. */
+  /** Sets the rendering quality. */
   setQuality(quality: Quality): void {
     if (quality === this.#asked.quality) return;
     this.#asked.quality = quality;
@@ -157,7 +153,7 @@ export class Picture {
     this.#guard((engine) => applyView(engine, view));
   }
 
-  /** Keeps hands and feet above captions that take this share of the height at the lower edge; whether that is new. */
+  /** Keeps hands and feet above captions that cover this share of the height at the lower edge; returns true if it changed. */
   setCaptions(share: number): boolean {
     if (share === this.#asked.captions) return false;
     this.#asked.captions = share;
@@ -165,7 +161,7 @@ export class Picture {
     return true;
   }
 
-  /** What the face does from one time to another, at so many times, and what its mouth goes through. */
+  /** Returns the course of the face between two times at a number of samples, and the phones of its mouth. */
   course(from: number, to: number, count: number): FaceCourse | undefined {
     return this.#guard((engine) => ({ curves: engine.faceCurves(from, to, count), segments: engine.segments(), names: engine.segmentNames() }));
   }
@@ -175,7 +171,7 @@ export class Picture {
     return this.#guard((engine) => engine.music()) ?? [];
   }
 
-  /** How camera, light and music express what is felt at a time. */
+  /** Returns the expression of the emotion at a time by camera, light and music. */
   environmentExpression(secs: number): EnvironmentExpression | undefined {
     return this.#guard((engine) => engine.environmentExpression(secs));
   }
@@ -205,12 +201,12 @@ export class Picture {
     return story;
   }
 
-  /** What a page needs to draw over the picture, as numbers, and their names. */
+  /** Returns the pose as numbers and names, for overlays of a page. */
   pose(): PoseNumbers | undefined {
     return this.#guard((engine) => ({ names: engine.poseNames(), numbers: engine.pose() }));
   }
 
-  /** Takes the speech of fragments that will come. */
+  /** Adds the speech of later fragments. */
   updateBundle(bundle: Uint8Array): void {
     if (this.#guard((engine) => engine.updateBundle(bundle))) this.#reader.files = { ...this.#reader.files, bundle };
   }
@@ -222,19 +218,19 @@ export class Picture {
     return performed;
   }
 
-  /** Ends what fragments say and do; undefined where there is nothing to end. */
+  /** Interrupts the fragments; undefined if there are none. */
   interrupt(nowSecs: number): InterruptionOutcome | undefined {
     return this.#guard((engine) => engine.interrupt(nowSecs));
   }
 
-  /** What the last picture took; undefined without one. */
+  /** Statistics of the last frame; undefined without one. */
   get statistics(): PictureStatistics | undefined {
     return this.#lost ? undefined : this.#guard((engine) => engine.statistics());
   }
 
   /**
-   * Puts another figure in the place of the one that is shown. Throws, and keeps the one before,
-   * when it cannot be read. Gives the story as this figure tells it, and what of the figure is missing.
+   * Replaces the figure. Throws, and keeps the previous one, if it cannot be read. Returns the story with this figure, and diagnostics about missing parts of
+   * it.
    */
   async setFigure(figure: FigureFile): Promise<{ story: Story; missing: Diagnostic[] }> {
     const engine = this.#engine;
@@ -260,7 +256,10 @@ export class Picture {
     return { story, missing: await this.#images.decode(engine) };
   }
 
-  /** Gives the figure a face of a face model, or its own again; `lent` are the files of figures that lend it hair. Resolves when that can be drawn as it is. */
+  /**
+   * Gives the figure a face from a face model, or restores its own; `lent` are the files of figures that provide hair. Resolves when it can be rendered
+   * completely.
+   */
   async setFace(face: FigureFace | undefined, lent: DonorHair): Promise<void> {
     const before = this.#given.face;
     const engine = this.#engine;
@@ -285,7 +284,7 @@ export class Picture {
     return await this.#given.file(name, this.#reader.files.figure.glb);
   }
 
-  /** The place of the skin that is seen at a place of the picture, −1 to 1 from the left and from below. */
+  /** Returns the skin point at a position of the image, −1 to 1 from the left and from below. */
   pickFace(x: number, y: number): FaceSpot | undefined {
     const numbers = this.#guard((engine) => engine.pickFace(x, y));
     if (numbers === undefined) return undefined;
@@ -304,7 +303,7 @@ export class Picture {
     this.#guard((engine) => engine.setLight(name, turn));
   }
 
-  /** What the canvas shows, if it was drawn just now. */
+  /** Returns a copy of the canvas, if it was just rendered. */
   copy(): HTMLCanvasElement | undefined {
     return this.#canvas && copyOf(this.#canvas);
   }
@@ -326,15 +325,14 @@ export class Picture {
     this.#guard((engine) => engine.seek(secs));
   }
 
-  /** As `seek`, but what the figure does as it waits fades into what follows. */
+  /** Seeks like `seek`, with a fade from the waiting figure to the new position. */
   seekWithFade(secs: number): void {
     this.#lastShown = secs;
     this.#guard((engine) => engine.seekWithFade(secs));
   }
 
   /**
-   * Shows a moment and gives the cues passed on the way to it; while the story rests they are
-   * kept for later. `running`: pictures follow each other on screen.
+   * Shows a time and returns the cues passed on the way; while the story is paused they are retained for later. `running`: frames follow each other on screen.
    */
   show(secs: number, resting: boolean, running: boolean): Cue[] {
     return (
@@ -352,12 +350,12 @@ export class Picture {
     );
   }
 
-  /** Shows how the figure waits for the story to be played, since so many seconds. */
+  /** Shows the figure waiting for playback, after a number of seconds. */
   showIdle(waitedSecs: number): void {
     this.#wait((engine) => engine.evaluateIdle(waitedSecs));
   }
 
-  /** Shows how the figure waits for an answer where the story rests, since so many seconds, and looks at a bone, or at the viewer. */
+  /** Shows the figure waiting for an answer while the story is paused, after a number of seconds, looking at a bone, or at the viewer. */
   showWaiting(secs: number, waitedSecs: number, lookedAt: string): void {
     this.#lastShown = secs;
     this.#wait((engine) => engine.evaluateWaiting(secs, waitedSecs, lookedAt));
@@ -378,7 +376,7 @@ export class Picture {
     if (status === TickStatus.Shown) this.firstShownMs ??= performance.now();
   }
 
-  /** Tries to bring the picture back; by itself only so often. */
+  /** Tries to recover the picture; automatically only a limited number of times. */
   async recover(asked = false): Promise<void> {
     if (this.#closed || (this.#lost && !asked)) return;
     this.#lost = true;
@@ -406,7 +404,7 @@ export class Picture {
     }
   }
 
-  /** Where the last engine died of its trap, one without a picture still tells the cues. */
+  /** Opens an engine without a picture for the cues, after a trap of the last one. */
   async #withoutPicture(): Promise<void> {
     if (this.#engine !== undefined) return;
     try {
@@ -458,7 +456,7 @@ export class Picture {
     }
   }
 
-  /** Takes animations that come later. */
+  /** Applies animations that arrive later. */
   #follow(engine: Engine, live: boolean, { animations, eml }: StoryFiles): void {
     void animations.next(engine)?.then(() => {
       if (engine !== this.#engine || eml !== this.#reader.files.eml || animations !== this.#reader.files.animations) return;
@@ -488,7 +486,7 @@ export class Picture {
   }
 }
 
-/** Gives an engine's memory back; one that trapped may refuse. */
+/** Releases an engine's memory; one that trapped may fail. */
 function release(engine: Engine): void {
   try {
     engine.free();

@@ -1,4 +1,4 @@
-/** How an engine is told what it is to show. */
+/** Setup of an engine with its content. */
 
 import type { PictureRequest } from './picture-request.js';
 import { unusable } from '../engine/figure.js';
@@ -8,12 +8,12 @@ import type { GivenFace } from '../face/given-face.js';
 import type { Engine } from '../base/engine.js';
 import { PlayerError, type Story } from '../base/types.js';
 
-/** Has engines read the files of a story, as the page has asked for it and with the face that the figure was given. */
+/** Reads the files of a story into engines, with the settings of the page and the given face of the figure. */
 export class StoryReader {
   files: StoryFiles;
   readonly #asked: PictureRequest;
   readonly #given: GivenFace;
-  /** Takes animations that come later; `live`: they are of live clauses. */
+  /** Applies animations that arrive later; `live`: they belong to live clauses. */
   readonly #follow: (engine: Engine, live: boolean, files: StoryFiles) => void;
 
   constructor(files: StoryFiles, asked: PictureRequest, given: GivenFace, follow: (engine: Engine, live: boolean, files: StoryFiles) => void) {
@@ -23,7 +23,7 @@ export class StoryReader {
     this.#follow = follow;
   }
 
-  /** `kept`: the figure is on stage already. */
+  /** Reads the story; `kept`: the figure is already on stage. */
   read(engine: Engine, files = this.files, kept = false): Story {
     const { eml, bundle, figure, edited, language, problem } = files;
     const motion = this.#asked.life;
@@ -54,7 +54,10 @@ export class StoryReader {
     return this.animate(engine, story, files) ?? story;
   }
 
-  /** Hands the engine the animations that have come, and when others come, those; without a `story` they are of live clauses. The story with its new times, and with what is wrong with them. */
+  /**
+   * Passes the loaded animations to the engine, and later ones when they arrive; without a `story` they belong to live clauses. Returns the story with its new
+   * times and diagnostics.
+   */
   animate(engine: Engine, story: Story | undefined, files = this.files): Story | undefined {
     const told = files.animations.provide(engine, files.eml);
     this.#follow(engine, story === undefined, files);

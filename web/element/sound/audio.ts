@@ -1,4 +1,4 @@
-/** The voice: the utterances' recordings, played through Web Audio at their places in the story. */
+/** Voice: the utterances' recordings, played through Web Audio at their times in the story. */
 
 import { fetchBytes, type Credentials } from '../base/fetching.js';
 import type { Music } from './music.js';
@@ -11,20 +11,19 @@ import { SilentVoice, type Voice } from './voice.js';
 const AHEAD_SECS = 20;
 /** Decoded recordings further away than this are dropped: a minute of sound is 11 MB. */
 const KEEP_SECS = 60;
-/** A recording of which nothing has come for this long is given up, and the story goes on in captions. */
+/** Timeout of a recording without data; the story then continues with captions. */
 const PATIENCE_MS = 20_000;
 /** No utterance is larger: it would be ten minutes of plain samples. */
 const MAX_SOUND_BYTES = 64e6;
-/** So long before what is being spoken the story stops: what has come is decoded and planned in less. */
+/** Time before a passage that is still being synthesised at which the story stops: enough to decode and schedule its audio. */
 const BEFORE_SPEAKING_SECS = 0.05;
-/** A start or stop inside a sound fades over this, so that it does not click. */
+/** Fade for a start or stop inside a sound, to avoid clicks. */
 const FADE_SECS = 0.006;
 /** An utterance that is interrupted fades out in this, as a voice that stops. */
 const INTERRUPT_SECS = 0.06;
 /**
- * A sound that fades out goes on in silence for this long. Browsers compute sound in bursts of up
- * to some tens of milliseconds, so that a call may take effect that much later: the fade
- * begins then, but a sound whose end has passed is cut off at once.
+ * Duration of silence after a fade-out. Browsers render audio in blocks of up to some tens of milliseconds, so a call may take effect that much later: the
+ * fade then starts late, whereas a sound whose end has passed would be cut off abruptly.
  */
 const CUT_SECS = 0.25;
 
@@ -34,18 +33,18 @@ interface Playing {
 }
 
 interface PlayingSource {
-  /** Where the times are of: what was planned on a context that was closed is heard no more. */
+  /** Context of the times: audio scheduled on a closed context is inaudible. */
   readonly audio: AudioContext;
   readonly position: number;
   readonly rate: number;
   readonly at: number;
 }
 
-/** What is not heard: a recording, what has none, or only what comes with speech. */
+/** Missing audio: a recording, speech without a recording, or only sounds within speech. */
 type MissingHandler = Utterance | 'speech' | 'sound';
 
-/** Speaks a story's utterances. */
-/** Where recordings lie, and how they are fetched and played. */
+/** Playback of a story's utterances. */
+/** Location of recordings, and the settings for fetching and playing them. */
 export interface Recordings {
   readonly folder: URL;
   readonly credentials: Credentials;
@@ -64,7 +63,7 @@ export class RecordedVoice implements Voice {
   /** Stretched copies for the present rate. */
   readonly #stretched = new Map<Utterance, AudioBuffer>();
   #stretchedRate = 1;
-  /** Keeps the pitch at speeds other than 1, loaded with the first of them; null where it cannot be loaded. */
+  /** Time stretcher that preserves the pitch at rates other than 1, loaded with the first of them; null if it cannot be loaded. */
   #stretcher: ((sound: AudioBuffer, rate: number) => AudioBuffer) | null | undefined;
   #stretching = false;
   /** The speed that was set last. */
@@ -72,34 +71,34 @@ export class RecordedVoice implements Voice {
   readonly #playing = new Map<Utterance, Playing>();
   #run: PlayingSource | undefined;
   #master: GainNode | undefined;
-  /** What a stream records of it. */
+  /** Audio destination of captured streams. */
   #recorded: MediaStreamAudioDestinationNode | undefined;
   #device: string;
   #keepsPitch = true;
-  /** How many recordings have come. */
+  /** Number of received recordings. */
   #come = 0;
   /** The context on which `resume` was called. */
   #asked: AudioContext | undefined;
   #volume = 1;
   #music: Music | undefined;
-  /** What music there is to play. */
+  /** Music to play. */
   #score: { readonly pieces: readonly Piece[]; readonly library: URL } | undefined;
-  /** What plays music is being fetched. */
+  /** True while the music player is being fetched. */
   #awaited = false;
-  /** Says what has no recording, once it is known whether it can. */
+  /** Browser speech for utterances without a recording, once its availability is known. */
   #spoken: SpokenSource | undefined;
   #finding: Promise<void> | undefined;
   #found = true;
   /** Sounds that were made here, by file. */
   readonly #given = new Map<string, Uint8Array>();
-  /** How much is being spoken. */
+  /** Number of pending syntheses. */
   #speaking = 0;
-  /** Utterances that were interrupted: others have taken their places. */
+  /** Interrupted utterances that were replaced. */
   readonly #gone = new WeakSet<Utterance>();
 
   /**
-   * `utterances` may come and go, in any order; `onMissing` hears of each that cannot be played, and of
-   * what else is missing.
+   * Creates the voice; `utterances` may change at any time, in any order; `onMissing` is called for each one that cannot be played, and for other missing
+   * audio.
    */
   constructor(utterances: Iterable<Utterance>, { folder, credentials, device }: Recordings, onMissing: (what: MissingHandler, message: string) => void) {
     this.#device = device;
@@ -109,7 +108,7 @@ export class RecordedVoice implements Voice {
     this.#onMissing = onMissing;
   }
 
-  /** What plays now: another one once the former was closed, or another device is to play. */
+  /** Returns the current audio context: a new one if the previous was closed, or if the output device changed. */
   #context(): AudioContext {
     return contextOf(this.#device);
   }
@@ -132,7 +131,7 @@ export class RecordedVoice implements Voice {
     return audio.state === 'running' && (this.#run === undefined || this.#run.audio === audio);
   }
 
-  /** Where all sounds of the voice go; made anew with the context. */
+  /** Returns the output of all speech audio, recreated with the context. */
   #output(): GainNode {
     const audio = this.#context();
     if (this.#master?.context !== audio) {
@@ -200,7 +199,7 @@ export class RecordedVoice implements Voice {
     this.#awaited = false;
   }
 
-  /** The music of a context that was closed is heard no more. */
+  /** Discards the music of a closed context, which is inaudible. */
   #replaceMusic(): void {
     this.#music?.close();
     this.#music = undefined;
@@ -373,7 +372,7 @@ export class RecordedVoice implements Voice {
     this.#onMissing(utterance, reason);
   }
 
-  /** The bytes of a sound: those that were made here, or what the server has. */
+  /** Returns the bytes of a sound: generated here, or from the server. */
   async #bytes(file: string, url: URL): Promise<ArrayBuffer> {
     const given = this.#given.get(file);
     // Decoding takes the bytes away.
@@ -423,7 +422,7 @@ export class RecordedVoice implements Voice {
     if (utterance.cut) this.#fade(playing, utterance.startSecs + utterance.durationSecs);
   }
 
-  /** Lets a sound fade out from a story time on, or now where that has passed. */
+  /** Fades a sound out from a story time, or immediately if that has passed. */
   #fade({ source, gain }: Playing, storySecs: number): void {
     const run = this.#run;
     if (run === undefined) return;
@@ -463,7 +462,7 @@ export class RecordedVoice implements Voice {
   }
 }
 
-/** What lets a story be heard, or keeps its time where there is no Web Audio; `report` hears of what cannot be played, and whether that is speech. */
+/** Opens the audio of a story, or a silent clock without Web Audio; `report` is called for audio that cannot be played, with a flag for speech. */
 export function openVoice(utterances: Iterable<Utterance>, recordings: Recordings, report: (message: string, isSpeech: boolean) => void): Voice {
   if (!hasAudio()) return new SilentVoice();
   const missed = (what: MissingHandler, why: string): void => {

@@ -1,26 +1,23 @@
-/**
- * Music under the voice: files that the browser streams, kept on the story's clock. Fetched only
- * by players whose story has music.
- */
+/** Background music: files streamed by the browser, synchronised with the story's clock. Fetched only by players whose story has music. */
 
 import type { Credentials } from '../base/fetching.js';
 import type { Piece } from '../base/types.js';
 
 /** Pieces this far ahead are fetched. */
 const AHEAD_SECS = 20;
-/** A piece that has not come after this long no longer holds the story up. */
+/** Time after which a missing piece no longer delays the story. */
 const PATIENCE_MS = 10_000;
-/** Beyond this a piece is set to its place; within it plays a little slower or faster until it is there. */
+/** Drift above which a piece seeks; below it the playback rate is adjusted. */
 const JUMP_SECS = 0.06;
 /** Inaudible, and clocks of browsers wobble that much. */
 const NEAR_SECS = 0.012;
 /** The most by which the speed of a piece leaves the story's; 1.5 % is inaudible, since the pitch stays. */
 const MAX_PULL = 0.015;
-/** A piece is given this long to come to its place before it is set anew. */
+/** Time allowed for a seek before the next. */
 const SETTLE_MS = 400;
-/** How fast its level follows. */
+/** Time constant of level changes. */
 const FOLLOW_SECS = 0.02;
-/** How fast one that comes late comes in, and for how long it does. */
+/** Time constant of the fade-in of a late piece, and its duration. */
 const LATE_SECS = 0.4;
 const LATE_MS = 2000;
 
@@ -32,7 +29,7 @@ export function levelAt(line: Piece['level'], secs: number): number {
   return to[0] > from[0] ? from[1] + ((to[1] - from[1]) * (secs - from[0])) / (to[0] - from[0]) : to[1];
 }
 
-/** What to do with a piece that is `drift` seconds ahead of the story: a place to set, or a speed. */
+/** Returns the correction for a piece that is `drift` seconds ahead of the story: a seek, or a playback rate. */
 export function steer(drift: number, rate: number): 'set' | number {
   if (Math.abs(drift) > JUMP_SECS) return 'set';
   // A quarter of the way in each quarter of a second.
@@ -44,12 +41,12 @@ interface Playing {
   readonly sound: HTMLAudioElement;
   readonly gain: GainNode;
   readonly sinceMs: number;
-  /** It can be heard, or never will. */
+  /** True if it is audible, or has failed. */
   settled: boolean;
   missing: boolean;
-  /** When it was set to its place. */
+  /** Time of the last seek. */
   setMs: number;
-  /** It has been at its place: from now on it is heard. */
+  /** True once it has been in time: from then on it is audible. */
   inTime: boolean;
   /** Since when. */
   heardMs: number;
@@ -64,7 +61,7 @@ interface MusicStart {
 
 /** Plays the music of a story. */
 export class Music {
-  /** What it is played with. */
+  /** Audio context. */
   readonly audio: AudioContext;
   readonly #from: MusicStart;
   readonly #onMissing: (message: string) => void;
@@ -82,14 +79,14 @@ export class Music {
     this.#onMissing = onMissing;
   }
 
-  /** Everything that is to be heard; what stays goes on. */
+  /** Sets all pieces; those already playing continue. */
   set(pieces: readonly Piece[]): void {
     this.#pieces = pieces;
     const kept = new Set(pieces.map(keyOf));
     for (const [key, playing] of this.#playing) if (!kept.has(key)) this.#drop(key, playing);
   }
 
-  /** Whether the pitch stays at other speeds. */
+  /** Enables pitch preservation at other playback rates. */
   keepPitch(kept: boolean): void {
     this.#keepsPitch = kept;
     for (const { sound } of this.#playing.values()) sound.preservesPitch = kept;
@@ -109,7 +106,7 @@ export class Music {
     }
   }
 
-  /** Fetches pieces that come soon and keeps playing ones in time; called a few times a second at least. */
+  /** Fetches pieces due soon and keeps playing ones synchronised; called at least a few times per second. */
   prepare(position: number): void {
     const rate = this.#run?.rate ?? 1;
     for (const piece of this.#pieces) {
@@ -180,7 +177,7 @@ export class Music {
     return playing;
   }
 
-  /** Lets a piece play where the story is. */
+  /** Synchronises a piece with the story. */
   #follow(playing: Playing, run: { position: number; rate: number; at: number }): void {
     const { piece, sound, gain } = playing;
     if (!playing.settled || playing.missing) return;
@@ -221,13 +218,16 @@ export class Music {
   }
 }
 
-/** Where a piece is, so many seconds after its begin: a loop begins again, once its length is known. A server that answers without ranges tells of none (Infinity). */
+/**
+ * Returns the position in a piece after a number of seconds: a loop restarts once its length is known. A server without range support gives no length
+ * (Infinity).
+ */
 export function placeIn(secs: number, durationSecs: number, loops: boolean): number {
   if (!loops || !Number.isFinite(durationSecs) || durationSecs <= 0) return secs;
   return ((secs % durationSecs) + durationSecs) % durationSecs;
 }
 
-/** What makes two pieces the same: a level that changes is no reason to fetch anew. */
+/** Returns the identity of a piece: a changed level does not require another fetch. */
 function keyOf(piece: Piece): string {
   return `${piece.startSecs} ${piece.library} ${piece.file}`;
 }

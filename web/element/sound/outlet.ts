@@ -1,10 +1,10 @@
-/** Where sound goes: one audio context for all players of a page that are heard by the same device, since browsers allow only a few. */
+/** Audio output: one audio context for all players of a page on the same device, because browsers allow only a few. */
 
 /** The page's sound, which the user may have to allow. */
 export interface Permission {
-  /** Whether sound may begin, as far as can be known at once. */
+  /** True if audio is likely allowed to start, as far as can be known immediately. */
   readonly likely: boolean;
-  /** Makes the sound run; false where the browser wants the user to do something first. */
+  /** Starts the audio; resolves with false if the browser requires a user action first. */
   wake(): Promise<boolean>;
 }
 
@@ -15,10 +15,10 @@ export interface Permission {
 const MAX_LATENCY_SECS = 1;
 /** A browser that allows sound starts it within this, even on a busy machine. */
 const REFUSAL_MS = 2000;
-/** Once the user has done something it is only a matter of time. */
+/** Timeout for starting audio after a user action. */
 const PATIENCE_MS = 20_000;
 
-/** By the name of the device; the empty one is what the user has chosen for everything. */
+/** Contexts by device name; the empty name is the user's default device. */
 const contexts = new Map<string, SinkAudioContext>();
 
 interface SinkAudioContext extends AudioContext {
@@ -28,7 +28,7 @@ interface SinkAudioContext extends AudioContext {
 
 const make = (): SinkAudioContext => new AudioContext({ latencyHint: 'interactive' });
 
-/** The context of a device; another one in the place of one that was closed. */
+/** Returns the audio context of a device; a new one if the previous was closed. */
 export function contextOf(device: string): AudioContext {
   let audio = contexts.get(device);
   if (audio === undefined || audio.state === 'closed') {
@@ -40,7 +40,7 @@ export function contextOf(device: string): AudioContext {
   return audio;
 }
 
-/** Makes a device ready to play. Rejects as `HTMLMediaElement.setSinkId` does, with `NotSupportedError` where a browser has no choice of devices. */
+/** Prepares a device for playback. Rejects like `HTMLMediaElement.setSinkId`, with `NotSupportedError` if the browser does not support device selection. */
 export async function openDevice(device: string): Promise<void> {
   if (device === '' || contexts.has(device)) return;
   const audio = make();
@@ -54,12 +54,12 @@ export async function openDevice(device: string): Promise<void> {
   }
 }
 
-/** Whether there is Web Audio at all. */
+/** Returns true if Web Audio is available. */
 export function hasAudio(): boolean {
   return typeof AudioContext !== 'undefined';
 }
 
-/** Has a context run; false where the browser wants the user to do something first. Call it straight from a click or key. */
+/** Starts a context; resolves with false if the browser requires a user action first. Call it directly from a click or key handler. */
 export async function wake(audio: AudioContext): Promise<boolean> {
   if (audio.state === 'running') return true;
   // resume() stays pending until the user does something, so a refusal is a matter of time.
@@ -68,7 +68,7 @@ export async function wake(audio: AudioContext): Promise<boolean> {
   return (audio.state as AudioContextState) === 'running';
 }
 
-/** The sound of the device that a player is heard by. */
+/** Returns the audio permission of a player's output device. */
 export function soundOf(player: { readonly sinkId: string }): Permission {
   return {
     get likely() {
@@ -80,12 +80,12 @@ export function soundOf(player: { readonly sinkId: string }): Permission {
   };
 }
 
-/** From the moment that a context computes to the one that is heard, in seconds. */
+/** Returns the delay from audio rendering to audible output, in seconds. */
 export function latency({ outputLatency, baseLatency }: Pick<AudioContext, 'outputLatency' | 'baseLatency'>): number {
   return (outputLatency < MAX_LATENCY_SECS && outputLatency) || baseLatency || 0;
 }
 
-/** The moment of a context that is heard now, seconds of its own clock. */
+/** Returns the audible time of a context, seconds of its own clock. */
 export function heardOf(audio: AudioContext): number {
   const coarse = audio.currentTime - latency(audio);
   // The time stamp is finer than currentTime, which moves in the device's steps; but some

@@ -1,20 +1,20 @@
-/** Where else a player's picture and sound go: callbacks of frames, streams, and a window over other windows. */
+/** Further outputs of a player's picture and audio: frame callbacks, streams, and a picture-in-picture window. */
 
 import type { Voice } from './voice.js';
 
-/** All of them of one player, and the size of its picture. */
+/** All outputs of one player, and the size of its picture. */
 export class Outputs {
   readonly frames = new FrameCallbacks();
   readonly capture = new Capture();
   readonly #window = new PictureInPicture(this.capture);
   #size = { width: 0, height: 0 };
 
-  /** That of the picture, device pixels; 0 before there is one. */
+  /** Size of the picture, device pixels; 0 before there is one. */
   get size(): { readonly width: number; readonly height: number } {
     return this.#size;
   }
 
-  /** Another canvas, voice or size may be there; whether the size is another. */
+  /** Follows a change of canvas, voice or size; returns true if the size changed. */
   follow(playing: Playing): boolean {
     this.capture.follow(playing);
     const { width = 0, height = 0 } = playing.canvas ?? {};
@@ -23,12 +23,12 @@ export class Outputs {
     return true;
   }
 
-  /** A picture of a moment was drawn, where there is a picture. */
+  /** Handles a rendered frame of a given time, if there is a picture. */
   drawn(secs: number): void {
     if (this.#size.width > 0) this.frames.drawn(secs, this.#size);
   }
 
-  /** Shows the picture in a window over all others; `tell` is told when it comes and goes. Rejects as a `<video>` does. */
+  /** Shows the picture in a picture-in-picture window; `tell` is called when it opens and closes. Rejects like a `<video>`. */
   async openWindow(root: ShadowRoot, isDisabled: boolean, tell: (event: Event) => void): Promise<PictureInPictureWindow> {
     if (!document.pictureInPictureEnabled) throw new DOMException('This browser or page does not support picture-in-picture.', 'NotSupportedError');
     if (this.#size.width === 0) throw new DOMException('There is no picture yet.', 'InvalidStateError');
@@ -37,10 +37,10 @@ export class Outputs {
   }
 }
 
-/** What was drawn, for `requestVideoFrameCallback`. */
+/** Callback of `requestVideoFrameCallback`, with the data of the frame. */
 type FrameCallback = (nowMs: number, frame: VideoFrameCallbackMetadata) => void;
 
-/** Calls back once for the next picture (https://wicg.github.io/video-rvfc/). */
+/** One-shot callbacks for the next frame (https://wicg.github.io/video-rvfc/). */
 export class FrameCallbacks {
   #callbacks = new Map<number, FrameCallback>();
   /** Those that are being called. */
@@ -48,7 +48,7 @@ export class FrameCallbacks {
   #last = 0;
   #frames = 0;
 
-  /** How many pictures were drawn. */
+  /** Number of rendered frames. */
   get count(): number {
     return this.#frames;
   }
@@ -64,7 +64,7 @@ export class FrameCallbacks {
     this.#called.delete(handle);
   }
 
-  /** A picture of a moment was drawn. */
+  /** Handles a rendered frame of a given time. */
   drawn(secs: number, { width, height }: { readonly width: number; readonly height: number }): void {
     this.#frames += 1;
     if (this.#callbacks.size === 0) return;
@@ -78,15 +78,15 @@ export class FrameCallbacks {
   }
 }
 
-/** What plays now. */
+/** Current playback resources. */
 interface Playing {
   readonly canvas: HTMLCanvasElement | undefined;
   readonly voice: Voice | undefined;
 }
 
 /**
- * Streams of picture and sound. They follow the player to its next canvas and its next story; those with sound, which pages
- * have asked for, end with the story (https://w3c.github.io/mediacapture-fromelement/).
+ * Streams of picture and audio. They follow the player to its next canvas and story; those with audio requested by pages end with the story
+ * (https://w3c.github.io/mediacapture-fromelement/).
  */
 class Capture {
   readonly #streams: { readonly stream: MediaStream; readonly rate: number | undefined; readonly hasSound: boolean }[] = [];
@@ -98,7 +98,7 @@ class Capture {
     return this.#streams.some(({ stream, hasSound }) => hasSound && stream.active);
   }
 
-  /** `rate`: at most so many pictures a second. */
+  /** Opens a stream. `rate`: the maximum frame rate. */
   open(rate: number | undefined, hasSound: boolean): MediaStream {
     const stream = new MediaStream();
     this.#streams.push({ stream, rate, hasSound });
@@ -114,7 +114,7 @@ class Capture {
     this.#fill();
   }
 
-  /** The story plays, or has come to its end. */
+  /** Switches the streams when the story starts or reaches its end. */
   setLive(isLive: boolean): void {
     if (isLive === this.#isLive) return;
     this.#isLive = isLive;
@@ -141,7 +141,7 @@ function empty(stream: MediaStream): void {
   }
 }
 
-/** A window over all others that shows the player's picture (https://w3c.github.io/picture-in-picture/). */
+/** Picture-in-picture window of the player (https://w3c.github.io/picture-in-picture/). */
 class PictureInPicture {
   #video: HTMLVideoElement | undefined;
   readonly #capture: Capture;
@@ -150,7 +150,7 @@ class PictureInPicture {
     this.#capture = capture;
   }
 
-  /** Opens it; `root` belongs to the player, so that the document names the player as what is shown. Rejects as a `<video>` does. */
+  /** Opens the window; `root` belongs to the player, so that the document reports the player as the picture-in-picture element. Rejects like a `<video>`. */
   async open(root: ShadowRoot, tell: (event: Event) => void): Promise<PictureInPictureWindow> {
     const video = (this.#video ??= makeVideo(root, this.#capture, tell));
     if (video.readyState < video.HAVE_METADATA) await new Promise((there) => video.addEventListener('loadedmetadata', there, { once: true }));

@@ -1,28 +1,25 @@
 /**
- * The browser's own voice, for what has no recording. Fetched only by stories that need it.
- *
- * The story's clock stays the master: each utterance is given to the browser when its time comes,
- * and late utterances are waited for, within bounds. The browser does not say how long it will
- * speak, so the next utterance gets a rate so much faster or slower as the ones before it were
- * too long or too short.
+ * Browser speech for utterances without a recording. Fetched only by stories that need it. The story's clock stays the master: each utterance is passed to the
+ * browser at its time, and the story waits for late ones, within bounds. The browser does not announce durations, so the next utterance gets a rate adjusted
+ * by the error of the preceding ones.
  */
 
 import type { Utterance } from '../base/types.js';
 
-/** Browsers load their voices on the first request and report them later; one without voices reports nothing. */
+/** Timeout for loading voices: browsers load them on the first request and report them later; one without voices reports nothing. */
 const VOICES_MS = 1000;
-/** An utterance that is not over at its end is waited for: this long, and this share of its own length. */
+/** Maximum wait for an utterance past its end: this time, and this share of its own length. */
 const MAX_WAIT = { secs: 1.5, share: 0.5 } as const;
-/** A page that is not busy looks at least this often. */
+/** Polling interval of an idle page. */
 const LOOK_MS = 300;
-/** The utterances so far change the speed by no more than this. */
+/** Limits of the rate correction from earlier utterances. */
 const PACE = { min: 0.6, max: 1.8 } as const;
-/** The browser takes a moment to begin. */
+/** Allowance for the browser's start-up time. */
 const EARLY_SECS = 0.05;
-/** What begins no later than this is said from its first word on. */
+/** Maximum lateness at which an utterance is spoken from its first word. */
 const LATE_SECS = 0.3;
 
-/** How what tells neither its language nor its voice is said. */
+/** Default language and voice of utterances. */
 export interface SpeechStyle {
   /** BCP 47 tag. */
   readonly language: string;
@@ -36,15 +33,15 @@ interface CurrentUtterance {
   readonly speech: SpeechSynthesisUtterance;
   /** Length of the utterance, seconds of the page's time. */
   readonly secs: number;
-  /** When it began, on the page's clock. */
+  /** Start time, on the page's clock. */
   startedMs?: number;
-  /** When it was waited for last. */
+  /** Time of the last wait for it. */
   lateMs?: number;
-  /** How long it has been waited for. */
+  /** Total waiting time for it. */
   waitedMs: number;
 }
 
-/** Speaks utterances that have no recording, one after another. */
+/** Speaks utterances without a recording, one after another. */
 export class SpokenSource {
   readonly #utterances: Iterable<Utterance>;
   readonly #voices: readonly SpeechSynthesisVoice[];
@@ -66,7 +63,7 @@ export class SpokenSource {
     this.#onMissing = onMissing;
   }
 
-  /** Waits for the browser to know its voices. `usual` is of utterances that do not tell theirs. */
+  /** Waits until the browser's voices are known. `usual` applies to utterances without their own language or voice. */
   static async find(utterances: Iterable<Utterance>, usual: SpeechStyle, onMissing: (message: string) => void): Promise<SpokenSource> {
     let voices = speechSynthesis.getVoices();
     if (voices.length === 0) {
@@ -79,7 +76,7 @@ export class SpokenSource {
     return new SpokenSource(utterances, voices, usual, onMissing);
   }
 
-  /** Name of the voice that says the first utterance that can be said; undefined when there is none. */
+  /** Name of the voice of the first utterance that can be spoken; undefined if there is none. */
   get name(): string | undefined {
     for (const utterance of this.#utterances) {
       const voice = isSilent(utterance) ? this.#voiceOf(utterance) : undefined;
@@ -127,13 +124,13 @@ export class SpokenSource {
     }
   }
 
-  /** Utterances end, or never begin: each becomes a shorter one, or nothing. */
+  /** Shortens or cancels utterances: each is replaced by a shorter one, or removed. */
   cut(changes: ReadonlyMap<Utterance, Utterance | undefined>): void {
     if (this.#now !== undefined && changes.has(this.#now.utterance)) this.#cancel();
     for (const shorter of changes.values()) if (shorter !== undefined) this.#over.add(shorter);
   }
 
-  /** False while the present utterance takes longer than its time in the story. */
+  /** Returns false while the current utterance exceeds its time in the story. */
   ready(position: number): boolean {
     const now = this.#now;
     if (now === undefined || position < now.utterance.startSecs + now.utterance.durationSecs) return true;
@@ -146,7 +143,7 @@ export class SpokenSource {
     return true;
   }
 
-  /** Says an utterance, from the word at `position` on when that is in its middle. */
+  /** Speaks an utterance, from the word at `position` if that is in its middle. */
   #say(utterance: Utterance, position: number, rate: number): void {
     const words = utterance.words.filter((word) => word.endSecs > position || position < utterance.startSecs + LATE_SECS);
     const voice = this.#voiceOf(utterance);
@@ -200,7 +197,7 @@ export class SpokenSource {
     const own = this.#voices.find((voice) => voice.name.toLowerCase() === name);
     if (own !== undefined && (language === undefined || primary(own.lang) === primary(language))) return own;
     const wanted = tag(language ?? this.#usual.language);
-    /** The same region counts most; then a voice of this machine, which keeps the text on the machine. */
+    /** Returns the rank of a voice: the same region counts most; then a local voice, which does not send the text to a server. */
     const rank = (voice: SpeechSynthesisVoice) => 4 * Number(tag(voice.lang) === wanted) + 2 * Number(voice.localService) + Number(voice.default);
     const able = this.#voices.filter((voice) => primary(voice.lang) === primary(wanted));
     return able.sort((a, b) => rank(b) - rank(a))[0];

@@ -1,17 +1,14 @@
 /**
- * Changes how long speech takes without changing its pitch: waveform-similarity overlap-add,
- * after Verhelst & Roelands 1993, doi:10.1109/ICASSP.1993.319366.
- *
- * Windows of the sound are laid down at even steps; each is taken from near where the new
- * speed says, at the offset that continues the last window best. The middles of windows are
- * what the speed is counted by, so that every moment stays within the search of its place.
+ * Time stretching without pitch change: waveform-similarity overlap-add, after Verhelst & Roelands 1993, doi:10.1109/ICASSP.1993.319366. Windows of the sound
+ * are placed at even steps; each is taken from near the position given by the new rate, at the offset that continues the last window best. The rate refers to
+ * the middles of windows, so every point stays within the search range of its position.
  */
 
 /** Long enough for two periods of a low voice (80 Hz). */
 const WINDOW_SECS = 0.025;
-/** How far a window may move to fit, either way: together a period of a low voice. */
+/** Search range of a window in both directions: together a period of a low voice. */
 const SEARCH_SECS = 0.00625;
-/** The first search looks at each fourth offset and sample; then it is made exact. */
+/** Step of the coarse search over offsets and samples; a fine search follows. */
 const COARSE = 4;
 
 /** A recording at a speed, with its pitch. */
@@ -58,7 +55,7 @@ export function stretch(input: Float32Array, sampleRate: number, rate: number): 
   return output;
 }
 
-/** The place within `search` of `wanted` that looks most like `natural`. */
+/** Returns the position within `search` of `wanted` that is most similar to `natural`. */
 function best(input: Float32Array, natural: number, wanted: number, search: number, size: number): number {
   const from = wanted - search;
   const to = wanted + search;
@@ -76,7 +73,7 @@ function best(input: Float32Array, natural: number, wanted: number, search: numb
   return place;
 }
 
-/** Correlation of two stretches of the input, over the loudness of the second. */
+/** Returns the correlation of two stretches of the input, normalised by the level of the second. */
 function similarity(input: Float32Array, a: number, b: number, size: number, stride: number): number {
   let dot = 0;
   let power = 1e-9;

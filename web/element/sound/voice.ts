@@ -1,57 +1,57 @@
-/** The voice of a performance: what keeps its time and lets it be heard. */
+/** Interface of a performance's clock and audio. */
 
 import type { SpeechStyle } from './spoken.js';
 import type { Diagnostic, Piece, Utterance } from '../base/types.js';
 
-/** What keeps the time of a performance and lets it be heard. Source time is in seconds. */
+/** Clock and audio of a performance. Source time is in seconds. */
 export interface Voice {
-  /** The moment of the source that would be played now. */
+  /** Returns the current source time for scheduling. */
   now(): number;
-  /** The moment of the source that the listener hears now. */
+  /** Returns the audible source time. */
   heard(): number;
-  /** Whether the source runs; while it does not, its moments stand still. */
+  /** True if the source runs; otherwise its time stands still. */
   readonly running: boolean;
-  /** Plays from story time `position` at `rate`, beginning at the source's moment `at`. */
+  /** Plays from story time `position` at `rate`, starting at source time `at`. */
   start(position: number, rate: number, at: number): void;
-  /** Silence; when it only `waits` to be ready, what takes longer than its time may finish. */
+  /** Stops the audio; if it only `waits` to be ready, overdue speech may finish. */
   stop(waits?: boolean): void;
   /**
-   * Fetches, decodes and plans what comes soon after `position`; called a few times a second, and
-   * with the speed just before a start, for what takes time then.
+   * Fetches, decodes and schedules the audio soon after `position`; called a few times per second, and with the rate just before a start, for preparations
+   * that take time.
    */
   prepare(position: number, rate?: number): void;
-  /** Whether the sound at `position` is there, or known to be missing. */
+  /** Returns true if the audio at `position` is available, or known to be missing. */
   ready(position: number): boolean;
   setVolume(volume: number): void;
-  /** Whether the pitch stays at other speeds. What is planned already is not changed. */
+  /** Enables pitch preservation at other rates. Audio already scheduled does not change. */
   keepPitch(kept: boolean): void;
   /** Plays on another device, one that `openDevice` has opened. */
   setDevice(device: string): void;
-  /** All that is heard, as a track of a stream; undefined where nothing is. */
+  /** Returns all audio as a track of a stream; undefined if there is none. */
   track(): MediaStreamTrack | undefined;
-  /** What has a recording that is not here. */
+  /** Returns the utterances whose recordings are not loaded. */
   missing(): readonly Utterance[];
-  /** How many recordings have come so far. */
+  /** Number of received recordings. */
   readonly come: number;
   /** The music under the words; `library` is the folder of its pieces. */
   setMusic(pieces: readonly Piece[], library: URL): void;
-  /** Takes sounds that were made here, by the names that the utterances have for them. */
+  /** Adds sounds generated here, by the file names in the utterances. */
   give(sounds: ReadonlyMap<string, Uint8Array>): void;
-  /** Lets go of all that was given, and of sounds that nothing says any more. */
+  /** Discards added sounds, and those that no utterance uses any more. */
   forget(): void;
-  /** Ends utterances at a story time: each becomes a shorter one, or nothing where it has not begun. */
+  /** Ends utterances at a story time: each is replaced by a shorter one, or removed if it has not started. */
   cut(changes: ReadonlyMap<Utterance, Utterance | undefined>, atSecs: number): void;
-  /** What has no recording yet is being spoken: until that is over its moments are not ready. */
+  /** Marks utterances without a recording as being synthesised: their times are not ready until then. */
   hold(speaking: Promise<unknown>): void;
   /**
-   * Has the browser's own voice say what has no recording, `usual` being how, where the story does
-   * not tell. Its name, or undefined where the browser has none that speaks the language.
+   * Uses browser speech for utterances without a recording, with the defaults `usual`. Resolves with the name of the voice, or undefined if the browser has
+   * none for the language.
    */
   substitute(usual: SpeechStyle): Promise<string | undefined>;
   close(): void;
 }
 
-/** Keeps the time where there is no Web Audio: the captions and the picture play on. */
+/** Silent clock for browsers without Web Audio: captions and picture continue. */
 export class SilentVoice implements Voice {
   now(): number {
     return performance.now() / 1000;
@@ -97,7 +97,7 @@ export class SilentVoice implements Voice {
   close(): void {}
 }
 
-/** Tells that a story has no recorded voice, or not for all that it says, and whose voice speaks instead, if any does. */
+/** Returns the diagnostic for a story without a recorded voice, or with a partial one, and the substitute voice, if any. */
 export function voiceMissing(some: boolean, name: string | undefined): Diagnostic {
   const what = some ? 'Some of the speech has no recording' : 'This story has no recorded voice';
   const how = name === undefined ? 'captions show its text' : `the browser's voice “${name}” speaks it, at guessed times`;

@@ -1,4 +1,4 @@
-/** When a player's story is fetched: as it comes near the window, or at once, and anew where attributes ask for that. */
+/** Loading of a player's story: near the viewport, or immediately, and again after attribute changes. */
 
 import type { PlayerContext } from './context.js';
 import type { FigureLoader } from './figure-loader.js';
@@ -10,7 +10,7 @@ export class Arrival {
   readonly #figures: FigureLoader;
   readonly #renew: () => void;
 
-  /** `renew` lets go of the story for another one. */
+  /** Creates the loading logic; `renew` unloads the story for another one. */
   constructor(context: PlayerContext, stories: StoryLoader, figures: FigureLoader, renew: () => void) {
     this.#context = context;
     this.#stories = stories;
@@ -18,7 +18,7 @@ export class Arrival {
     this.#renew = renew;
   }
 
-  /** Properties have changed: loads, or changes the figure, where they ask for that. */
+  /** Handles changed properties: loads the story, or changes the figure, as required. */
   change(changed: ReadonlyMap<PropertyKey, unknown>): void {
     const { player, show } = this.#context;
     // A mind alone has a stage, too.
@@ -36,14 +36,14 @@ export class Arrival {
     }
   }
 
-  /** Another text stands between the tags. */
+  /** Handles a changed text between the tags. */
   changeOwn(): void {
     if (this.#context.player.src || this.#context.text !== undefined) return;
     this.#renew();
     this.#come();
   }
 
-  /** The player has come near the window, or has left it. */
+  /** Handles the player entering or leaving the area near the viewport. */
   appear(isNear: boolean): void {
     this.#context.onScreen = isNear;
     if (isNear && this.#stories.hasStory) void this.#stories.come();

@@ -1,4 +1,4 @@
-/** Which figure performs: the one that the page sets, else the one that the story chooses, else the default. */
+/** Choice of the performing figure: the one set by the page, otherwise the story's choice, otherwise the default. */
 
 import { performerOf } from '../engine/backend.js';
 import { FigureError, type FigureFile } from '../engine/figure.js';
@@ -9,23 +9,23 @@ import { PlayerError, type Backend, type Diagnostic, type Hand } from '../base/t
 /** The default figure; `raconteur` on the command line has the same. */
 export const USUAL_FIGURE = 'sofia';
 
-/** Only an element of this name chooses, and nothing in XML writes a name otherwise. */
+/** Pattern of the element that chooses a figure; XML has no other way to write its name. */
 const MAY_CHOOSE = /performer/i;
 
-/** The figure that a text chooses; undefined where it leaves that to others. */
+/** Returns the figure chosen by a text; undefined if it makes no choice. */
 export async function figureOf(eml: string, backend: () => Promise<Backend>): Promise<string | undefined> {
   return MAY_CHOOSE.test(eml) ? (await performerOf(await backend(), eml)).figure : undefined;
 }
 
-/** What the page has set. */
+/** Settings of the page. */
 export interface PerformerRequest {
-  /** A name of the library, an address, or the name of `given`; without one the story chooses. */
+  /** Name from the library, address, or name of `given`; without it the story chooses. */
   readonly figure: string | undefined;
   readonly handedness: Hand | undefined;
   /** A file of the user's own. */
   readonly given: File | undefined;
   readonly library: URL;
-  /** Where the story lies; a text that has no file lies where the page does. */
+  /** Location of the story; a text without a file has that of the page. */
   readonly story: URL;
 }
 
@@ -62,7 +62,7 @@ export async function fetchChoice(choice: string | undefined, story: URL, librar
   return await fetchFigure(USUAL_FIGURE, library, wanted);
 }
 
-/** Opens a picture with the figure that a story chooses; where that is no figure, with the default one, and `report` gets a diagnostic. */
+/** Opens a picture with the figure chosen by a story; if that is not a valid figure, with the default one, and `report` receives a diagnostic. */
 export async function openOrUsual<T>(
   open: (figure: FigureFile) => Promise<T>,
   chosen: FigureFile,
@@ -85,7 +85,7 @@ function refusal(message: string): Diagnostic {
   return { code: 'figure-unusable', severity: 'warning', message, hints: [`“${USUAL_FIGURE}” performs instead of the figure that the story chooses.`] };
 }
 
-/** Where a story's own figure lies; a story reaches no file outside its folder. */
+/** Returns the location of a story's own figure; a story cannot access files outside its folder. */
 function inside(choice: string, story: URL): URL | undefined {
   if (/^[\w-]+$/.test(choice)) return undefined;
   const folder = new URL('.', story);

@@ -1,4 +1,4 @@
-/** What the parts of a player share: the element makes one context and hands it to each of them. */
+/** Shared context of a player's parts: the element creates one and passes it to each of them. */
 
 import type { LitElement } from 'lit';
 import { controlWords, type ControlWords } from '../controls/control-words.js';
@@ -10,7 +10,7 @@ import type { Show } from './show.js';
 import type { Question } from '../base/questions.js';
 import type { Backend, Hand, PoseNumbers, Story, View } from '../base/types.js';
 
-/** The element as its parts know it: attributes they read, and what they have it do. */
+/** Element as seen by its parts: attributes that they read, and methods that they call. */
 export interface PlayerHost extends LitElement {
   readonly src: string;
   readonly figure: string | undefined;
@@ -31,38 +31,38 @@ export interface PlayerHost extends LitElement {
   readonly currentTime: number;
   readonly playbackRate: number;
   play(): Promise<void>;
-  /** The moment that was shown last, as numbers. */
+  /** Returns the pose at the last shown time, as numbers. */
   pose(): PoseNumbers | undefined;
 }
 
-/** The questions of a story as what plays it knows them; `lesson/questioner.ts` asks them. */
+/** Questions of a story, as seen by the playback; implemented by `lesson/questioner.ts`. */
 export interface StoryQuestions {
   readonly lesson: {
-    /** What is asked now. */
+    /** Current question. */
     readonly asked: Question | undefined;
-    /** Asks what was not in the story. */
+    /** Adds questions outside the story. */
     add(questions: readonly Question[]): void;
   };
   readonly form: {
-    /** What is read of the last answer. */
+    /** Feedback on the last answer. */
     readonly feedback: string;
-    /** The bone that the learner looks at; empty where there is none. */
+    /** Bone that the learner focuses; empty if there is none. */
     readonly lookedAt: string;
     focus(): void;
-    /** Puts marks where what they mark is seen. */
+    /** Moves markers to the displayed positions of their objects. */
     place(): unknown;
   };
-  /** Whether the story is being moved by what was answered. */
+  /** True while an answer moves the story. */
   readonly isTurning: boolean;
   /** The text on stage is another, or has other times. */
   take(story: Story, secs: number): void;
-  /** The story goes, and what was answered to it. */
+  /** Clears the answers of an unloaded story. */
   clear(): void;
   /** Fragments were interrupted. */
   interrupted(): void;
-  /** The story was brought to another time. */
+  /** Handles a seek to another time. */
   sought(secs: number): void;
-  /** The story has come to a time; whether it may be shown. `drain` passes what lies up to a time. */
+  /** Advances to a time; returns true if it may be shown. `drain` processes the cues up to a time. */
   pass(show: Show, secs: number, drain: (secs: number) => void): boolean;
 }
 
@@ -71,27 +71,27 @@ export interface PlayerContext {
   readonly diagnostics: Diagnostics;
   /** The loaded story and its playback. */
   show: Show | undefined;
-  /** A text that takes the place of the story's file. */
+  /** Text that replaces the story's file. */
   text: string | undefined;
-  /** From where a page looks that shows the whole figure. */
+  /** View of a page that shows the whole figure. */
   view: View | undefined;
-  /** The story was played or sought since it was opened. */
+  /** True if the story was played or sought since it was opened. */
   started: boolean;
   /** The player is in the window, or near it. */
   onScreen: boolean;
-  /** Tells screen readers what has changed. */
+  /** Announces a change to screen readers. */
   say(text: string): void;
-  /** Tells the mind, if one is connected. */
+  /** Sends an event to the mind, if one is connected. */
   tell(event: MindEvent): void;
-  /** What is shown instead of a picture goes where the story is. */
+  /** Synchronises the content shown instead of a picture with the story. */
   follow(): void;
-  /** A picture of a moment was drawn, or another canvas, voice or size is there. */
+  /** Handles a rendered frame of a time, or a change of canvas, voice or size. */
   drawn(secs?: number): void;
-  /** Draws the picture and the caption of the present audio time. */
+  /** Renders the picture and the caption at the current audio time. */
   advance(): void;
   /** The questions of the story. */
   readonly questioner: StoryQuestions;
-  /** The picture is in a window of its own, or in a stream that is taken. */
+  /** Returns true if the picture is in a picture-in-picture window, or in a captured stream. */
   isWatchedElsewhere(): boolean;
   /** Starts and stops the loops that draw, as the state of the player needs them. */
   keepTime(): void;
@@ -102,28 +102,28 @@ export function fire<K extends keyof PlayerEventMap>(player: PlayerHost, type: K
   player.dispatchEvent(new CustomEvent(type, { detail, bubbles: true, composed: true }));
 }
 
-/** The language of what a player itself says, its controls: its own, or that of the page around it. */
+/** Returns the language of a player's controls: its own, or that of the surrounding page. */
 export const controlLanguage = (player: PlayerHost): string => player.lang || languageAround(player);
 
-/** What the controls of a player say. */
+/** Returns the texts of a player's controls. */
 export const wordsFor = (player: PlayerHost): ControlWords => controlWords(controlLanguage(player));
 
-/** The language of the page around a player, a tag of BCP 47; that of who reads where the page tells none. */
+/** Returns the language of the page around a player, a BCP 47 tag; the user's if the page does not specify one. */
 export function languageAround(player: PlayerHost): string {
   return player.closest<HTMLElement>('[lang]')?.lang || navigator.language;
 }
 
-/** What tells no language is said, and read, in this one. */
+/** Returns the language for speech and text without their own. */
 export function languageOf(player: PlayerHost, story: Story): string {
   return player.lang || story.performer.language || languageAround(player);
 }
 
-/** To whom the files of a player's story are asked for with cookies and the like. */
+/** Returns the origins to which requests for a player's files include credentials. */
 export function credentialsOf({ crossOrigin }: PlayerHost): Credentials {
   return crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
 }
 
-/** Where the asset library of a player is. */
+/** Returns the location of a player's asset library. */
 export function libraryOf({ assets }: PlayerHost): URL {
   return new URL(assets.endsWith('/') ? assets : `${assets}/`, document.baseURI);
 }

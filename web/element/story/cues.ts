@@ -1,4 +1,4 @@
-/** What happens in a story as events of the element. */
+/** Dispatch of a story's cues as events of the element. */
 
 import { fire, wordsFor, type PlayerContext } from './context.js';
 import { dispatch, takeBackSeek } from '../media/media-events.js';
@@ -6,7 +6,7 @@ import type { Show } from './show.js';
 import type { TransportEvent } from '../media/transport.js';
 import type { Cue } from '../base/performance.js';
 
-/** Tells a cue to the mind and to the page. */
+/** Reports a cue to the mind and to the page. */
 export function passCue({ player, diagnostics, tell }: PlayerContext, cue: Cue, show: Show): void {
   tell(cue);
   if (cue.kind === 'word') {
@@ -20,7 +20,7 @@ export function passCue({ player, diagnostics, tell }: PlayerContext, cue: Cue, 
   }
 }
 
-/** Tells an event of the transport to the mind, the page and screen readers; a seek that has ended is drawn first. */
+/** Reports a transport event to the mind, the page and screen readers; a finished seek is rendered first. */
 export function passTransport(context: PlayerContext, event: TransportEvent): void {
   const { player, say, tell } = context;
   if (event === 'seeking') {

@@ -1,4 +1,4 @@
-/** What is shown where no picture can be drawn: the film that the page names, else its poster. */
+/** Replacement for the picture: the page's film, otherwise its poster. */
 
 import type { PlayerContext } from './context.js';
 import type { Film } from '../picture/film.js';
@@ -6,19 +6,19 @@ import type { Film } from '../picture/film.js';
 export class FallbackFilm {
   readonly #context: PlayerContext;
   #film: Film | undefined;
-  /** The addresses of the film that is there or being fetched; undefined where none is wanted. */
+  /** Addresses of the film loaded or being fetched; undefined if none is needed. */
   #wanted: string | undefined;
 
   constructor(context: PlayerContext) {
     this.#context = context;
   }
 
-  /** The film, once it is known that one is needed; undefined where there is none. */
+  /** Film, once it is known to be needed; undefined if there is none. */
   get video(): HTMLVideoElement | undefined {
     return this.#film?.video;
   }
 
-  /** Opens or closes the film as the player needs it now: `lost`, there is no picture. */
+  /** Opens or closes the film as required; `lost`: there is no picture. */
   keep(lost: boolean): void {
     const { film } = this.#context.player;
     const wanted = lost && this.#context.show !== undefined ? film?.trim() || undefined : undefined;
@@ -28,7 +28,7 @@ export class FallbackFilm {
     if (wanted !== undefined) void this.#open(wanted);
   }
 
-  /** Goes where the story is. */
+  /** Synchronises the film with the story. */
   follow(): void {
     const { show } = this.#context;
     if (show === undefined || this.#film === undefined) return;
@@ -50,7 +50,7 @@ export class FallbackFilm {
     this.#context.player.requestUpdate();
   }
 
-  /** The poster stands in for it. */
+  /** Falls back to the poster. */
   #miss(wanted: string): void {
     if (wanted !== this.#wanted) return;
     // It stays the one that is wanted, so that it is not asked for again and again.

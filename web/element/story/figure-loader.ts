@@ -16,7 +16,7 @@ const LIBRARY_NAME = /^[\w-]+$/;
 
 export class FigureLoader {
   readonly #context: PlayerContext;
-  /** The figure that is to come next. */
+  /** Controller of the figure being loaded. */
   #coming: AbortController | undefined;
   /** A file that the user gave, under its name in `figure`. */
   given: File | undefined;
@@ -30,7 +30,7 @@ export class FigureLoader {
     return this.#coming !== undefined;
   }
 
-  /** The figure that is wanted now: one of the library, of an address, or the user's own file; else the one that the story chooses. */
+  /** Fetches the wanted figure: one of the library, of an address, or the user's own file; otherwise the story's choice. */
   async fetch(eml: Promise<string>, backend: Promise<Backend>, wanted: RequestedFiles): Promise<FigureFile> {
     const { player, diagnostics } = this.#context;
     const { figure, handedness } = player;
@@ -51,7 +51,7 @@ export class FigureLoader {
     return new Map(await Promise.all(files));
   }
 
-  /** Fetches and reads another figure while the present one performs; what goes wrong is a diagnostic. */
+  /** Fetches and reads another figure while the current one performs; errors become diagnostics. */
   async change(show: Show): Promise<void> {
     const { player, diagnostics, say } = this.#context;
     this.cancel();
@@ -93,7 +93,7 @@ export class FigureLoader {
     advance();
   }
 
-  /** The figure that is being fetched is not wanted any more. */
+  /** Cancels the figure being fetched. */
   cancel(): void {
     this.#coming?.abort();
     this.#coming = undefined;

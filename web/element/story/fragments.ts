@@ -8,9 +8,9 @@ import type { Show } from './show.js';
 import { speakFragment, substituteVoice, updateMusic } from './sound.js';
 import type { Answer, InterruptionOutcome } from '../base/performance.js';
 
-/** Senders of fragments, as the engine tells them apart. */
+/** Senders of fragments, as distinguished by the engine. */
 export const Sender = { Page: 0, Mind: 1 } as const;
-/** What comes now begins this much later, so that its sound can be fetched. */
+/** Delay of live content, so that its audio can be fetched. */
 const LIVE_LEAD_SECS = 0.1;
 
 /** The message that is no fragment but ends them. */
@@ -22,7 +22,7 @@ export function dropped(timeSecs: number): readonly Answer[] {
   return [{ kind: 'failed', timeSecs, code: 'live::interrupted', message: 'Fragments were interrupted before this one was performed.' }];
 }
 
-/** Performs a fragment, at once or when it has been spoken here, if none is interrupted meanwhile. */
+/** Performs a fragment, immediately or after its synthesis in the page, unless it is interrupted meanwhile. */
 export function perform(context: PlayerContext, show: Show, sender: number, fragment: string): readonly Answer[] | Promise<readonly Answer[]> {
   if (interrupts(fragment)) return performFragment(context, show, sender, fragment);
   const { signal } = show.turn;
@@ -30,7 +30,7 @@ export function perform(context: PlayerContext, show: Show, sender: number, frag
   return speakFragment(context, show, fragment)?.then(performNow) ?? performNow();
 }
 
-/** Ends what fragments say and do; those that wait to be spoken never come. */
+/** Interrupts fragments; those awaiting synthesis are cancelled. */
 export function interrupt(context: PlayerContext, show: Show): void {
   endTurn(show);
   const cut = show.picture.interrupt(show.transport.position);

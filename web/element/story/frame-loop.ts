@@ -1,4 +1,4 @@
-/** Keeps picture, captions and events at the moment that is heard. */
+/** Synchronises picture, captions and events with the audible time. */
 
 import { captionAt } from '../captions/captions.js';
 import type { PlayerContext } from './context.js';
@@ -8,10 +8,10 @@ import { AnimationLoops } from '../picture/animation-loops.js';
 import type { Show } from './show.js';
 import { IdleClock } from './idle-clock.js';
 
-/** While the story waits, for its voice or for sounds, or plays at the speed 0, the moment stands still: it is drawn no more often than this, and what works meanwhile has the machine. */
+/** Minimum frame interval while time stands still (the story waits for its voice or sounds, or plays at rate 0), which leaves the CPU to other work. */
 const STILL_MS = 1000;
 
-/** Who may send more when the story is over. */
+/** Sources that may send more content after the end of the story. */
 interface OpenEnd {
   readonly openEnded: boolean;
 }
@@ -26,11 +26,11 @@ export class FrameLoop {
   );
   readonly #welcome = new IdleClock(() => this.advance());
   #caption: ReturnType<typeof captionAt>;
-  /** How many recordings had come when pages heard of that. */
+  /** Number of recordings at the last notification of the page. */
   #come = 0;
-  /** What is asked. */
+  /** Current question. */
   #asked: string | undefined;
-  /** The moment that was drawn last, and when. */
+  /** Last rendered time, and when it was rendered. */
   #drawn = { secs: NaN, ms: 0 };
 
   constructor(context: PlayerContext, mind: OpenEnd) {
@@ -48,7 +48,7 @@ export class FrameLoop {
     this.#caption = undefined;
   }
 
-  /** Runs the loops that are needed now, and no others. */
+  /** Runs only the loops required by the current state. */
   keep(): void {
     const { player, show, onScreen } = this.#context;
     this.#pulse.keep(show !== undefined && !player.paused, onScreen);
@@ -58,13 +58,13 @@ export class FrameLoop {
     this.#welcome.keep(player.isConnected && onScreen && (this.#waits || (asked !== undefined && player.paused)));
   }
 
-  /** The story has not begun: the figure waits. A page that edits, or looks from elsewhere, wants its first moment. */
+  /** True if the story has not begun and the figure waits. A page with an editor, or with its own view, shows the first frame instead. */
   get #waits(): boolean {
     const { player, show, started, text, view } = this.#context;
     return show !== undefined && player.paused && !started && text === undefined && view === undefined;
   }
 
-  /** Shows the heard time. */
+  /** Shows the audible time. */
   advance(): void {
     const { player, show } = this.#context;
     if (show === undefined) return;
@@ -97,13 +97,13 @@ export class FrameLoop {
     }
   }
 
-  /** Shows a moment and tells of what lies on the way to it. */
+  /** Shows a time and reports the cues before it. */
   #pass(show: Show, secs: number): void {
     const { player } = this.#context;
     for (const cue of show.picture.show(secs, player.paused && !player.ended, this.#pulse.drawing)) passCue(this.#context, cue, show);
   }
 
-  /** A few times a second, drawn or not. */
+  /** Runs the periodic work, a few times per second, with or without rendering. */
   #beat(): void {
     const { player, show } = this.#context;
     // Pictures may come slowly; sound is not to wait for them.

@@ -1,20 +1,17 @@
 /**
- * Before a story is played, and where it waits for an answer, the figure waits, alive: pictures of it at a low rate, none where
- * the player is hidden, one for people who ask for less motion. How long it has waited is no story
- * time.
- *
- * A story that rests elsewhere in its middle or at its end stands still, as a film does.
+ * Waiting figure, before a story is played and where it waits for an answer: idle animation at a low frame rate, no frames while the player is hidden, a
+ * single one for users who prefer reduced motion. Waiting time is not story time. A story paused elsewhere, or at its end, stands still like a film.
  */
 
 import { reducesMotion } from '../base/surroundings.js';
 
-/** Breath and glances need no more pictures a second. */
+/** Maximum frame rate; breathing and glances need no more. */
 const MAX_HZ = 15;
-/** The share of the time that pictures may take: a device that draws slowly draws fewer of them. */
+/** Maximum share of the time for rendering: slow devices render fewer frames. */
 const MAX_SHARE = 0.25;
 /** But one a second; fewer would be a row of stills. */
 const MIN_SPEED_MS = 1000;
-/** What a screen takes for a picture of its own, at most; the rest is our own time. */
+/** Maximum time of the screen's own frame; the remainder is rendering time. */
 const SCREEN_MS = 17;
 
 /** The clock of one player's waiting. */
@@ -22,29 +19,29 @@ export class IdleClock {
   readonly #draw: () => void;
   #animation = 0;
   #waitedMs = 0;
-  /** When the last picture was drawn, on the screen's clock. */
+  /** Time of the last frame, on the screen's clock. */
   #drawnMs: number | undefined;
-  /** What pictures take, milliseconds, the slowest of late counting most. */
+  /** Cost of a frame, milliseconds, weighted towards the slowest recent ones. */
   #costMs = 0;
-  /** The next callback tells what the last picture took. */
+  /** True if the next callback measures the last frame. */
   #measuring = false;
 
-  /** `draw` draws the present moment of waiting. */
+  /** Creates the loop; `draw` renders the current waiting state. */
   constructor(draw: () => void) {
     this.#draw = draw;
   }
 
-  /** How long the figure has waited in view, seconds. */
+  /** Waiting time in view, seconds. */
   get secs(): number {
     return this.#waitedMs / 1000;
   }
 
-  /** The figure begins to wait for something else. */
+  /** Restarts the waiting time for another reason. */
   restart(): void {
     this.#waitedMs = 0;
   }
 
-  /** Runs while the figure waits and is seen, and else not at all. */
+  /** Runs only while the figure waits and is visible. */
   keep(waiting: boolean): void {
     if (waiting && this.#animation === 0 && !reducesMotion()) {
       this.#drawnMs = undefined;

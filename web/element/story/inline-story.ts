@@ -1,20 +1,20 @@
-/** The story that stands between the tags of a player, and is what a reader without scripts has of it. */
+/** Story between the tags of a player, which is also its fallback content without scripts. */
 
 import { openInstance } from '../engine/backend.js';
 import type { Backend, Diagnostic } from '../base/types.js';
 
-/** A script of this type carries EML as it is: the parser of HTML leaves it alone, and no policy of the page is about it. */
+/** MIME type of a script with verbatim EML: the HTML parser does not interpret it, and content security policies do not apply. */
 const EML_TYPE = 'application/eml+xml';
-/** A longer text is told so far: as many hours are no story. */
+/** Length to which a longer text is truncated: a story never takes that many hours. */
 const MAX_CHARACTERS = 100_000;
-/** Text that is EML, and not to be said. */
+/** Pattern of text that is EML rather than plain text. */
 const IS_EML = /^\s*<(\?xml|!--|!DOCTYPE|([\w.-]+:)?eml\b)/i;
-/** What is not read: none of it is shown without scripts either, but for what says that there are none. */
+/** Elements that are not read: they are invisible without scripts too, except the message about missing scripts. */
 const UNREAD = 'script, style, template, noscript, [hidden]';
-/** What begins a line of its own; text flows on over the ends of all other elements. */
+/** Elements that start a new line; text continues across the ends of all others. */
 const BLOCKS = new Set('ADDRESS ARTICLE ASIDE BLOCKQUOTE BR DD DIV DL DT FIGCAPTION FIGURE FOOTER H1 H2 H3 H4 H5 H6 HEADER HR LI MAIN OL P PRE SECTION TABLE TR UL'.split(' '));
 
-/** What stands between the tags. */
+/** Content between the tags. */
 interface InlineText {
   readonly text: string;
   readonly isEml: boolean;
@@ -22,7 +22,7 @@ interface InlineText {
   readonly isMangled: boolean;
 }
 
-/** Text in lines, as it would be shown. */
+/** Returns text in lines, as rendered. */
 function linesOf(node: Node): string {
   let text = '';
   for (const child of node.childNodes) {
@@ -66,7 +66,7 @@ export class InlineStory {
   readonly #observer: MutationObserver;
   #seen: string | undefined;
 
-  /** `changed` is called when another text stands between the tags. */
+  /** Creates the reader; `changed` is called when the text between the tags changes. */
   constructor(host: HTMLElement, changed: () => void) {
     this.#host = host;
     this.#observer = new MutationObserver(() => this.#look(changed));
@@ -76,7 +76,7 @@ export class InlineStory {
     return written(this.#host) !== undefined;
   }
 
-  /** The story as EML; undefined where there is none. `report` hears what is lost of it. */
+  /** Returns the story as EML; undefined if there is none. `report` is called for lost content. */
   async eml(language: string, backend: Promise<Backend>, report: (diagnostic: Diagnostic) => void): Promise<string | undefined> {
     const own = written(this.#host);
     if (own === undefined || own.isEml) return own?.text;
@@ -85,7 +85,7 @@ export class InlineStory {
     return (await openInstance(await backend)).narrate(own.text, language, false, MAX_CHARACTERS);
   }
 
-  /** Watches while the player is in a page; what is there already is no change. */
+  /** Observes changes while the player is in a document; existing content does not count as a change. */
   watch(): void {
     this.#seen = written(this.#host)?.text;
     this.#observer.observe(this.#host, { childList: true, characterData: true, subtree: true });

@@ -1,4 +1,4 @@
-/** Words that come piece by piece: cut into clauses, each of which is performed as soon as it is whole. Fetched only where it is used. */
+/** Streaming narration: incoming text is split into clauses, each performed as soon as it is complete. Fetched only where it is used. */
 
 import { openInstance, type NarrationFunctions } from '../engine/backend.js';
 import { languageOf, type PlayerContext } from './context.js';
@@ -7,20 +7,20 @@ import type { Show } from './show.js';
 import type { Answer } from '../base/performance.js';
 import type { Diagnostic, Words } from '../base/types.js';
 
-/** A longer text is told so far. */
+/** Length to which a longer text is truncated. */
 const MAX_CHARACTERS = 100_000;
-/** No more than this is waiting to be said: what comes may be interrupted, and what waits takes room. */
+/** Maximum queued speech: later text may be interrupted, and the queue takes memory. */
 const AHEAD_SECS = 20;
-/** The story time, and an engine that is busy or away, are asked this often. */
+/** Polling interval for the story time, and for an engine that is busy or absent. */
 const LOOK_MS = 100;
-/** An engine that takes nothing for so long will not. */
+/** Number of attempts after which an unresponsive engine is given up. */
 const MAX_TRIES = 300;
 
-/** Where a text is told. */
+/** Stage on which a text is narrated. */
 export interface NarrationContext {
-  /** How its engine tells texts. */
+  /** Narration functions of its engine. */
   readonly telling: Pick<NarrationFunctions, 'continueNarration' | 'splitClauses'>;
-  /** What the text is read in, a tag of BCP 47. */
+  /** Language of the text, a BCP 47 tag. */
   readonly language: string;
   perform(fragment: string): readonly Answer[] | Promise<readonly Answer[]>;
   /** Story time. */
@@ -28,15 +28,15 @@ export interface NarrationContext {
   report(diagnostic: Diagnostic): void;
 }
 
-/** Answers that may be others later. */
+/** Temporary refusals, worth a retry. */
 const LATER = new Set(['live::busy', 'live::full', 'live::absent']);
 
-/** Says clauses one after another, until it ends. */
+/** Speaks clauses one after another, until aborted. */
 class Speaker {
   readonly #stage: NarrationContext;
   readonly #end: AbortSignal;
   #feels = 'neutral';
-  /** When all that was accepted has been said. */
+  /** End of all accepted speech. */
   #endSecs = 0;
 
   constructor(stage: NarrationContext, end: AbortSignal) {
@@ -60,12 +60,12 @@ class Speaker {
     }
   }
 
-  /** Waits until everything has been said. */
+  /** Waits until everything has been spoken. */
   silence(): Promise<void> {
     return this.#until(0);
   }
 
-  /** Waits until no more than so many seconds are to be said. */
+  /** Waits until at most this many seconds of speech remain. */
   async #until(secs: number): Promise<void> {
     while (!this.#end.aborted && this.#endSecs - this.#stage.now() > secs) await this.#look();
   }
@@ -75,7 +75,7 @@ class Speaker {
   }
 }
 
-/** What gives a text piece by piece. */
+/** Source of text in pieces. */
 interface TextPieces {
   next(): Promise<{ readonly done?: boolean | undefined; readonly value?: unknown }>;
   return?(): Promise<unknown>;
@@ -102,7 +102,7 @@ const tooMuch: Diagnostic = {
   hints: ['Split it into parts.'],
 };
 
-/** Tells a text until it is said, or `end`; throws what its source throws, after what came before. */
+/** Narrates a text until it is spoken, or aborted by `end`; rethrows errors of the source after the text before them. */
 export async function tellTo(stage: NarrationContext, words: Words, end: AbortSignal): Promise<void> {
   const speaker = new Speaker(stage, end);
   const cut = (text: string, whole: boolean) => stage.telling.splitClauses(text, stage.language, whole);
@@ -135,7 +135,7 @@ export async function tellTo(stage: NarrationContext, words: Words, end: AbortSi
   if (failure !== undefined && !end.aborted) throw failure.error;
 }
 
-/** Tells a text on the stage of a player; the clock does not stop for want of words meanwhile. */
+/** Narrates a text on the stage of a player; the clock does not stop while text is missing. */
 export async function tellWords(context: PlayerContext, show: Show, words: Words, end: AbortSignal): Promise<void> {
   const stage: NarrationContext = {
     telling: await openInstance(show.picture.backend),

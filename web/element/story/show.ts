@@ -1,4 +1,4 @@
-/** What a player has loaded and plays. */
+/** Loaded story and its playback state. */
 
 import type { Voice } from '../sound/voice.js';
 import type { Caption } from '../captions/captions.js';
@@ -10,55 +10,55 @@ import type { Statistics, Story } from '../base/types.js';
 
 /** The loaded story and its playback. */
 export interface Show {
-  /** As the present figure tells it. */
+  /** Story with the times of the current figure. */
   story: Story;
   /** Name of the figure on stage. */
   figure: string;
   choice: string | undefined;
   files: StoryFiles;
-  /** When loading began, on the page's clock. */
+  /** Start of loading, on the page's clock. */
   readonly sinceMs: number;
-  /** What the story and live fragments say. */
+  /** Speech of the story and of live fragments. */
   readonly script: LiveScript;
   captions: readonly Caption[];
   readonly picture: Picture;
   readonly voice: Voice;
   readonly transport: Transport;
-  /** Until fragments are interrupted, and then of those that come after. */
+  /** Controller of the current fragments, replaced when they are interrupted. */
   turn: AbortController;
-  /** The time of the story has no end: lines may always come. */
+  /** True if the story has no end because lines may always arrive. */
   readonly openEnded: boolean;
-  /** How many texts are told as they come: the clock does not stop for want of words. */
+  /** Number of narrations in progress: the clock does not stop while their text is missing. */
   tellings: number;
-  /** Ends what is still being made for it. */
+  /** Controller that cancels pending work for the show. */
   readonly end: AbortController;
-  /** The bundle that the story came with. */
+  /** Speech bundle included with the story. */
   readonly recorded: Uint8Array | undefined;
-  /** What is being spoken, and what waits for it. */
+  /** Synthesis in progress, and the work that depends on it. */
   speaking?: Promise<void>;
-  /** How the page's own voice tells the text on stage. */
+  /** State of the speech synthesis of the text on stage by the page's own voice. */
   telling?: Narration | undefined;
-  /** What has no recording was given to the browser's voice of this name, or to nobody. */
+  /** Browser voice used for utterances without a recording, or none. */
   lent?: { readonly name: Promise<string | undefined> };
-  /** Something that is said is not heard: captions are shown, also where nobody has asked for them. */
+  /** True if some speech is inaudible: captions are then shown even if not requested. */
   unheard?: boolean;
-  /** Somebody has put away captions that nobody had asked for. */
+  /** True if the user has hidden captions that were not requested. */
   refusesCaptions?: boolean;
 }
 
-/** A text that the page's own voice tells. */
+/** Synthesis of a text by the page's own voice. */
 export interface Narration {
   /** The figure and the text. */
   readonly of: string;
   readonly end: AbortController;
-  /** All was said, or could not be. */
+  /** True if everything was spoken, or failed. */
   isOver: boolean;
 }
 
-/** Whether what is said can be read: where somebody has asked for that, and where it is not heard. */
+/** Returns true if captions are shown: on request, or if speech is inaudible. */
 export const hasCaptions = ({ captions }: { readonly captions: boolean }, show: Show | undefined): boolean => captions || (show?.unheard === true && !show.refusesCaptions);
 
-/** Times, bytes and draw calls, once a picture was shown. */
+/** Returns times, sizes and draw calls, after the first frame. */
 export function statisticsOf({ picture, files, sinceMs }: Show): Statistics | undefined {
   const drawn = picture.statistics;
   if (drawn === undefined || picture.firstShownMs === undefined) return undefined;

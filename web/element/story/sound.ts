@@ -1,4 +1,4 @@
-/** The sound of a show besides its recordings: music, and voices for what has none. */
+/** Audio of a show in addition to its recordings: music, and voices for speech without a recording. */
 
 import { voiceMissing } from '../sound/voice.js';
 import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
@@ -13,13 +13,12 @@ export function updateMusic({ player }: PlayerContext, { voice, picture }: Show)
 
 const isSilent = ({ script }: Show): boolean => [...script].some(({ audio, words }) => audio.length === 0 && words.length > 0);
 
-/** The text on stage and who says it. */
+/** Returns a key of the text on stage and its speaker. */
 const spokenBy = ({ figure, files: { eml } }: Show): string => `${figure}\n${eml}`;
 
 /**
- * Has what has no recording spoken, once it is played: by an engine in the page where one speaks the
- * language, else by the browser's own voice. Reports when nobody does. `retell` hears of the story
- * with its new times.
+ * Starts speech for utterances without a recording at the first playback: by an engine in the page if one supports the language, otherwise by the browser.
+ * Reports if neither does. `retell` receives the story with its new times.
  */
 export async function substituteVoice(context: PlayerContext, show: Show, retell: (story: Story) => void): Promise<void> {
   // Another figure has another voice.
@@ -37,10 +36,13 @@ export async function substituteVoice(context: PlayerContext, show: Show, retell
   if (isFirst) context.diagnostics.report(voiceMissing(show.files.bundle !== undefined, name));
 }
 
-/** A fragment that says something. */
+/** Pattern of a fragment with speech. */
 const SPEAKS = /<([\w.-]+:)?voice-(text|say)\b/;
 
-/** Has what a fragment says spoken, where something in the page speaks its language; it may be performed then. Undefined where nothing is to be spoken here. */
+/**
+ * Synthesises the speech of a fragment, if an engine in the page supports its language; it may be performed afterwards. Undefined if there is nothing to
+ * synthesise.
+ */
 export function speakFragment(context: PlayerContext, show: Show, fragment: string): Promise<void> | undefined {
   if (context.player.speech === 'browser' || !SPEAKS.test(fragment)) return undefined;
   const before = show.speaking;
@@ -71,7 +73,7 @@ async function sourceOf(context: PlayerContext, show: Show): Promise<SpeechSourc
   return await (await import('../../speech/here.js')).sourceFor(languageOf(player, show.story), { library: libraryOf(player), report });
 }
 
-/** What a source is told besides the text. */
+/** Returns the parameters of a synthesis in addition to the text. */
 function asked(context: PlayerContext, show: Show, source: SpeechSource, known: Uint8Array | undefined): Pick<SpeechRequest, 'known' | 'voice'> {
   return { known: known && new TextDecoder().decode(known), voice: source.voiceOf(show.figure, languageOf(context.player, show.story)) };
 }
@@ -82,14 +84,14 @@ const progressOf =
     fire(player, 'voiceprogress', { share });
   };
 
-/** Keeps what was said, and reports what was not. */
+/** Stores the synthesised speech, and reports failures. */
 function keep({ diagnostics }: PlayerContext, show: Show, { bundle, sounds, problems }: SpokenAudio): void {
   for (const message of problems) diagnostics.report({ code: 'voice-unsaid', severity: 'warning', message, hints: [] });
   show.voice.give(sounds);
   show.files = { ...show.files, bundle: new TextEncoder().encode(bundle) };
 }
 
-/** Has the text on stage spoken in the page, once for each text, when it is played or what speaks is there. */
+/** Synthesises the text on stage in the page, once per text, when it is played or the engine is available. */
 async function speakHere(context: PlayerContext, show: Show, retell: (story: Story) => void): Promise<void> {
   const { player } = context;
   const of = spokenBy(show);
@@ -127,7 +129,7 @@ async function speakHere(context: PlayerContext, show: Show, retell: (story: Sto
   await speaking;
 }
 
-/** Has a source speak the text on stage; each part is heard as soon as it is there. */
+/** Synthesises the text on stage with a source; each part is audible as soon as it is available. */
 async function tell(context: PlayerContext, show: Show, source: SpeechSource, { end }: Narration, isWanted: () => boolean, retell: (story: Story) => void): Promise<void> {
   let isFirst = true;
   const take = (said: SpokenAudio) => {

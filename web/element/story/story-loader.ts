@@ -1,4 +1,4 @@
-/** Loads a story, opens it, reads edited texts, and closes it; knows its error and whether the picture is lost. */
+/** Loading of a story: opens it, reads edited texts, and closes it; holds its error and the state of the picture. */
 
 import { openVoice } from '../sound/audio.js';
 import { chooseBackends, decodeScript, warmUp } from '../engine/backend.js';
@@ -19,25 +19,25 @@ import { Transport, type TransportEvent } from '../media/transport.js';
 import { PlayerError, type Backend, type Diagnostic, type Story } from '../base/types.js';
 import { SilentVoice } from '../sound/voice.js';
 
-/** What is told where nothing is to be told yet. */
+/** Story used before there is any content. */
 const EMPTY = "<eml><body><null time='0'/></body></eml>";
 
 /** The answer where there is no engine to read an edited text. */
 const ABSENT: Diagnostic = { code: 'live::absent', severity: 'warning', message: 'The storyteller is temporarily unavailable.', hints: [] };
 
-/** Pages hear of what has come no more often than this. */
+/** Minimum interval of `progress` events, ms. */
 const PROGRESS_MS = 350;
-/** Nothing has come for so long: pages hear of that, too. */
+/** Time without data before a `stalled` event, ms. */
 const STALLED_MS = 3000;
 
 /** There is nothing to load. */
 class NoStoryError extends PlayerError {}
 
-/** What the element does when a story comes, cannot be had, or goes. */
+/** Callbacks of the element when a story opens, fails, or closes. */
 export interface StoryLoaderEvents {
-  /** A story is on stage; called before the page hears of it. */
+  /** Called when a story is on stage, before the page is notified. */
   opened(show: Show): void;
-  /** The page has heard of it. */
+  /** Called after the page has been notified. */
   ready(show: Show): void;
   failed(message: string): void;
   /** The story is gone. */
@@ -51,21 +51,21 @@ export class StoryLoader {
   readonly #events: StoryLoaderEvents;
   readonly #keeper = new PictureKeeper();
   #loading: { done: Promise<void>; share: number } | undefined;
-  /** Ends what is fetched for the story that is loaded or being loaded. */
+  /** Controller of the fetches for the current story. */
   #wanted: AbortController | undefined;
   #error: PlayerError | undefined;
   #canvas: HTMLCanvasElement | undefined;
   #lost: 'no' | 'recovering' | 'yes' = 'no';
-  /** Lines are to be performed, and there is no story. */
+  /** True if live lines are performed without a story. */
   #bare = false;
   /** The story between the tags. */
   readonly #own: InlineStory;
-  /** A story was chosen, and is fetched when it is to be played. */
+  /** True if a story was chosen that loads on playback. */
   #waits = false;
   #address = '';
   /** The story is there, and its sound is waited for. */
   #lingers = false;
-  /** When pages heard of what has come, and what tells that nothing comes. */
+  /** Time of the last `progress` event; the next field is the stall timer. */
   #toldMs = 0;
   #silence: ReturnType<typeof setTimeout> | undefined;
 
@@ -76,28 +76,28 @@ export class StoryLoader {
     this.#events = events;
   }
 
-  /** How much is fetched, 0 to 1; undefined when nothing is being loaded. */
+  /** Loaded share, 0 to 1; undefined if nothing is being loaded. */
   get share(): number | undefined {
     return this.#loading?.share;
   }
 
-  /** Why the story cannot be played. */
+  /** Reason why the story cannot be played. */
   get error(): PlayerError | undefined {
     return this.#error;
   }
 
-  /** Whether something is fetched, or was chosen to be. */
+  /** Network state: nothing chosen, chosen, or loading. */
   get network(): 'empty' | 'idle' | 'loading' {
     if (this.#loading !== undefined) return 'loading';
     return this.#waits || this.#context.show !== undefined ? 'idle' : 'empty';
   }
 
-  /** Where the story is that was chosen last. */
+  /** Address of the last chosen story. */
   get address(): string {
     return this.#address;
   }
 
-  /** A story was chosen, and is fetched when it is to be played. */
+  /** True if a story was chosen that loads on playback. */
   get waits(): boolean {
     return this.#waits;
   }
@@ -106,18 +106,18 @@ export class StoryLoader {
     return this.#canvas;
   }
 
-  /** Whether the picture is lost, while the story goes on. */
+  /** State of the picture, while the story continues. */
   get lost(): 'no' | 'recovering' | 'yes' {
     return this.#lost;
   }
 
-  /** There is something to load. */
+  /** True if there is something to load. */
   get hasStory(): boolean {
     const { player, text } = this.#context;
     return player.hasAttribute('src') || text !== undefined || this.#bare || Boolean(player.mind) || this.#own.isThere;
   }
 
-  /** Loads the story if it is not loaded and there was no error; what goes wrong ends as `error`, never as a rejection. */
+  /** Loads the story unless it is loaded or failed; errors are stored in `error`, never rejected. */
   async ensure(): Promise<void> {
     // A new src takes effect with the next update.
     await this.#context.player.updateComplete;
@@ -130,7 +130,7 @@ export class StoryLoader {
     await this.#loading?.done;
   }
 
-  /** As `ensure`, where the page does not want that to wait for `play()`. */
+  /** Does the same as `ensure`, unless the page defers loading until `play()`. */
   async come(): Promise<void> {
     const { player, show } = this.#context;
     await player.updateComplete;
@@ -149,7 +149,7 @@ export class StoryLoader {
     dispatch(player, 'loadstart');
   }
 
-  /** As `ensure`; gives the show, and throws when there is none. */
+  /** Does the same as `ensure`; returns the show, and throws if there is none. */
   async require(): Promise<Show> {
     await this.ensure();
     const { show } = this.#context;
@@ -165,7 +165,7 @@ export class StoryLoader {
     return await this.require();
   }
 
-  /** There was nothing to play; now there is. */
+  /** Resumes playback that had nothing to play. */
   #comeBack(): void {
     if (this.#error instanceof NoStoryError) this.#error = undefined;
   }
@@ -194,13 +194,13 @@ export class StoryLoader {
     }
   }
 
-  /** Tells pages when nothing comes for long. */
+  /** Starts the stall timer. */
   #listen(): void {
     clearTimeout(this.#silence);
     this.#silence = setTimeout(() => dispatch(this.#context.player, 'stalled'), STALLED_MS);
   }
 
-  /** So much has come. */
+  /** Reports the loaded share. */
   #hasCome(share: number): void {
     const { player } = this.#context;
     if (this.#loading === undefined) return;
@@ -242,7 +242,10 @@ export class StoryLoader {
     return { opened, files };
   }
 
-  /** What is to be told: a text that takes the place of the story's file, else that file, else what stands between the tags; where lines come from elsewhere, nothing yet. */
+  /**
+   * Returns the story to load: a text that replaces the story's file, otherwise that file, otherwise the content between the tags; for live lines, an empty
+   * story.
+   */
   async #wish(backend: Promise<Backend>): Promise<StoryRequest> {
     const { player, text, diagnostics } = this.#context;
     const { src, mind } = player;
@@ -314,7 +317,7 @@ export class StoryLoader {
     if (!this.#lingers) dispatch(player, 'canplaythrough', 'suspend');
   }
 
-  /** The transport tells something; what plays at once is told of before it is known that it can be played through. */
+  /** Forwards a transport event; a story that plays immediately is reported before `canplaythrough`. */
   #pass(event: TransportEvent): void {
     this.#events.transport(event);
     if (!this.#lingers || (event !== 'playing' && event !== 'pause')) return;
@@ -357,7 +360,7 @@ export class StoryLoader {
     player.requestUpdate();
   }
 
-  /** Has what is said without a recording spoken, if that may be now. */
+  /** Starts the speech for utterances without a recording, if it is allowed. */
   giveVoice(): void {
     const { show } = this.#context;
     if (show !== undefined) void substituteVoice(this.#context, show, (story) => this.#retell(story, true));
@@ -370,7 +373,7 @@ export class StoryLoader {
     this.#events.failed(known.message);
   }
 
-  /** Lets go of the story; the picture is kept for the next. */
+  /** Unloads the story; the picture is kept for the next. */
   close(): void {
     const { player, diagnostics } = this.#context;
     // What is not told yet is of a story that goes.
@@ -399,7 +402,7 @@ export class StoryLoader {
     if (hadStory) dispatch(player, 'emptied');
   }
 
-  /** Gives back the picture, too; why there is no story stays. */
+  /** Releases the picture as well; the error is kept. */
   release(): void {
     if (this.#error === undefined) this.close();
     this.#keeper.close();

@@ -1,10 +1,10 @@
-/** Begins to tell plain words; the part that tells them is fetched for that. */
+/** Starts a narration of plain text; fetches the code for it. */
 
 import type { PlayerContext } from './context.js';
 import type { Show } from './show.js';
 import type { NarrationHandle, Words } from '../base/types.js';
 
-/** Tells words on a stage that may still have to be opened; `interrupt` ends what is being said. */
+/** Narrates text on a stage that may still be opening; `interrupt` ends the current speech. */
 export function telling(context: PlayerContext, stage: Promise<Show>, words: Words, interrupt: () => void): NarrationHandle {
   const end = new AbortController();
   const tell = async (): Promise<void> => {

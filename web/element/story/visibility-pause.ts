@@ -1,14 +1,14 @@
 /**
- * A player that is in no page: it plays as a media element does there, and where it rests it gives back after a while what it
- * holds of the machine. Where it was and what was answered stay, for the time that it plays again or is put back.
+ * Player outside a document: it plays like a media element there, and after a time at rest it releases its resources. Its position and answers are kept until
+ * it plays again or is reinserted.
  */
 
 import type { PlayerState } from '../base/types.js';
 
-/** So long a player that rests outside a page keeps its story. */
+/** Time for which a player at rest outside a document keeps its story, ms. */
 const AWAY_MS = 6000;
 
-/** The player, as far as this is about it. */
+/** Subset of the player used here. */
 interface Player {
   readonly isConnected: boolean;
   readonly paused: boolean;
@@ -22,19 +22,19 @@ export class VisibilityPause {
   #timer: ReturnType<typeof setTimeout> | undefined;
   #kept: PlayerState | undefined;
 
-  /** `release` lets go of the story and of the picture. */
+  /** Creates the timer; `release` unloads the story and the picture. */
   constructor(player: Player, release: () => void) {
     this.#player = player;
     this.#release = release;
   }
 
-  /** It was taken out, came to rest, or has a story now: where it is in no page, it is given a while. */
+  /** Starts the timer after removal, coming to rest, or loading, if the player is outside a document. */
   count(): void {
     clearTimeout(this.#timer);
     if (!this.#player.isConnected) this.#timer = setTimeout(() => this.#give(), AWAY_MS);
   }
 
-  /** What was answered in the same story before it was given back. */
+  /** Returns the answers in the same story from before its release. */
   take(): PlayerState | undefined {
     const kept = this.#kept;
     this.#kept = undefined;

@@ -10,7 +10,7 @@ import { parseArgs } from 'node:util';
 
 const own = dirname(fileURLToPath(import.meta.url));
 const library = join(own, 'library');
-/** What each story uses, by its name. */
+/** Assets used by each story, by name. */
 const uses = JSON.parse(readFileSync(join(own, 'uses.json'), 'utf8'));
 const USUAL = 'hello-world';
 /** Any story may name one of them, and they are small. */
@@ -58,7 +58,7 @@ function sizeOf(path) {
   return readdirSync(path).reduce((sum, name) => sum + sizeOf(join(path, name)), 0);
 }
 
-/** Copies folders and files, `from` to `to` below the page's folder, and tells their sizes. */
+/** Copies folders and files, `from` to `to` below the page's folder, and reports their sizes. */
 function copy(to, parts) {
   for (const [place, from] of parts) {
     cpSync(from, join(to, place), { recursive: true });
@@ -82,7 +82,7 @@ function voices(names) {
   return [...wanted].map((name) => [`voices/${name}`, join(installed(`${VOICE}${name}`), 'dist')]);
 }
 
-/** What is chosen, with what that uses. */
+/** Returns the chosen assets with their dependencies. */
 function chosen({ stories, figures, music, faces }) {
   const withUsed = (what, names) => [...new Set([...names, ...stories.flatMap((name) => uses[name][what])])];
   return [
@@ -95,7 +95,7 @@ function chosen({ stories, figures, music, faces }) {
   ];
 }
 
-/** The names that an option gives, each of which has to be there. */
+/** Returns the names given to an option, each of which must exist. */
 function names(option, given) {
   const wanted = given?.split(',').filter(Boolean) ?? [];
   const unknown = wanted.find((name) => !there[option].includes(name));

@@ -27,7 +27,7 @@ type Named =
   | 'captions'
   | 'remarks';
 
-/** Attributes of `<raconteur-player>` beside those of every element. */
+/** Attributes of `<raconteur-player>` in addition to those of every element. */
 export type PlayerAttributes = { [Name in Named]?: RaconteurPlayer[Name] | undefined } & {
   crossorigin?: '' | 'anonymous' | 'use-credentials' | undefined;
   volume?: number | `${number}` | undefined;

@@ -1,4 +1,4 @@
-/** What `@raconteur/player` gives: importing it makes `<raconteur-player>` an element, where there are elements. */
+/** Entry point of `@raconteur/player`: importing it registers `<raconteur-player>`, in environments with custom elements. */
 
 import { register } from '../../element/register.js';
 

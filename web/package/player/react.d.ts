@@ -1,7 +1,6 @@
 /**
- * Types of the element in JSX of React 19: `import type {} from '@raconteur/player/react'`. Listeners have the events' names in small
- * letters (`onplay`): React gives `onPlay` to media elements of its own alone, so there is none here. `onPlayCapture` is heard by
- * any element, and so is what bubbles, as `onClick`.
+ * Types of the element in JSX of React 19: `import type {} from '@raconteur/player/react'`. Listeners use the event names in lower case (`onplay`): React
+ * supports `onPlay` only on native media elements, so it is omitted here. `onPlayCapture` works on any element, as do bubbling events such as `onClick`.
  */
 
 import type { ClassAttributes, HTMLAttributes } from 'react';

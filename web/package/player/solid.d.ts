@@ -3,7 +3,7 @@
 import type { JSX as Solid } from 'solid-js';
 import type { PlayerAttributes, PlayerHandlers, RaconteurPlayer } from './attributes.js';
 
-/** Solid has types of its own for some of the events. */
+/** Attributes except the events for which Solid has its own types. */
 type Common = Omit<Solid.HTMLAttributes<RaconteurPlayer>, keyof PlayerAttributes | keyof PlayerHandlers<'on:'>>;
 
 declare module 'solid-js' {

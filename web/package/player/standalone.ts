@@ -1,3 +1,3 @@
-/** The player for a script tag: as `player.ts`, with all that it needs, so that a page names one file and needs no bundler. */
+/** Player for a script tag: `player.ts` with all dependencies, so that a page names one file and needs no bundler. */
 
 export * from './player.js';

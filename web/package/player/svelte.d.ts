@@ -3,7 +3,7 @@
 import type { HTMLAttributes } from 'svelte/elements';
 import type { PlayerAttributes, PlayerHandlers, RaconteurPlayer } from './attributes.js';
 
-/** Svelte has types of its own for some of the events. */
+/** Attributes except the events for which Svelte has its own types. */
 type Common = Omit<HTMLAttributes<RaconteurPlayer>, keyof PlayerAttributes | keyof PlayerHandlers<'on'>>;
 
 declare module 'svelte/elements' {

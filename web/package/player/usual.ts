@@ -1,4 +1,4 @@
-/** What speaks where a page has added nothing: flite, from its own package, where that was copied below the library. Looked for when it is needed. */
+/** Default speech source: flite, from its own package, if that was copied below the library. Searched when needed. */
 
 import { shown } from '../../element/base/fetching.js';
 import type { Diagnostic } from '../../element/base/types.js';
@@ -9,7 +9,7 @@ import type { Place } from '../../speech/usual.js';
 /** In the library's folder; `raconteur-library` copies it there. */
 const FLITE = 'voices/flite/flite.js';
 
-/** What was found at an address, or why nothing was: a page looks once. */
+/** Search results by address, a source or an error: a page searches once. */
 const found = new Map<string, Promise<SpeechSource | Diagnostic>>();
 
 async function look(address: string): Promise<SpeechSource | Diagnostic> {
@@ -28,7 +28,7 @@ async function look(address: string): Promise<SpeechSource | Diagnostic> {
   }
 }
 
-/** What speaks a language, if it does. */
+/** Returns the source for a language, if there is one. */
 export async function usualSource(language: string, { library, report }: Place): Promise<SpeechSource | undefined> {
   if (!isEnglish(language)) return undefined;
   const { href } = new URL(FLITE, library);

@@ -3,12 +3,12 @@
 import type { HTMLAttributes, PublicProps } from 'vue';
 import type { PlayerAttributes, PlayerEvents } from './attributes.js';
 
-/** Listeners by the names that Vue's compiler gives them. */
+/** Listeners by the names that Vue's compiler uses. */
 type Handlers = {
   [Name in keyof PlayerEvents as `on${Capitalize<Name>}`]?: ((event: PlayerEvents[Name]) => unknown) | undefined;
 };
 
-/** Vue has types of its own for some of the events. */
+/** Attributes except the events for which Vue has its own types. */
 type Common = Omit<HTMLAttributes, keyof PlayerAttributes | keyof Handlers>;
 
 declare module 'vue' {

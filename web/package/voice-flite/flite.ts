@@ -1,3 +1,3 @@
-/** What `@raconteur/voice-flite` gives. */
+/** Entry point of `@raconteur/voice-flite`. */
 
 export { flite } from '../../speech/flite.js';

@@ -1,3 +1,3 @@
-/** What `@raconteur/voice-kokoro` gives. */
+/** Entry point of `@raconteur/voice-kokoro`. */
 
 export { kokoro as naturalVoice } from '../../speech/kokoro.js';

@@ -1,4 +1,4 @@
-/** The page of the composite editor: the element, and what a page of its own adds. */
+/** Page of the composite editor: the element, and the additions of a separate page. */
 
 import { onUndoKeys } from '../workbench.js';
 import { register } from '../../composite/register.js';

@@ -1,4 +1,4 @@
-/** The state of the page: what is set for each player, and that both play as one. */
+/** State of the page: settings of each player, and synchronised playback of both. */
 
 import type { RaconteurPlayer } from '../../element/element.js';
 import { PageState } from '../page-state.js';
@@ -6,7 +6,7 @@ import { ComparisonSide } from './comparison-side.js';
 import { beginning, settingOf, type Setting, type Side, type State } from './state.js';
 import { write } from './write.js';
 
-/** What is said of every text that no voice was made for: this page needs none. */
+/** Diagnostic of every text without a voice, ignored here because this page needs none. */
 const NO_VOICE = 'player::no-bundle';
 
 /** Players that are further apart than this do not play as one. */
@@ -55,13 +55,13 @@ export class App extends PageState<State> {
     });
   }
 
-  /** Plays from the very beginning, where nothing is felt yet. */
+  /** Plays from the beginning, before the emotion starts. */
   playAll(): void {
     this.player.currentTime = 0;
     this.player.play().catch(() => undefined);
   }
 
-  /** One player leads; two of them would not be heard apart, so that one speaks and plays music whose setting is changed. */
+  /** Plays both together with one in the lead: two voices would be indistinguishable, so only the player whose setting is edited has speech and music. */
   #playTogether(): void {
     const { a, b } = this.sittings;
     let isNew = false;
@@ -96,7 +96,7 @@ export class App extends PageState<State> {
     return write(this.edited);
   }
 
-  /** Each player that is on stage tells its own text. */
+  /** Loads the text of each player on stage. */
   override rehearse(): Promise<void> {
     const { a, b } = this.sittings;
     const { edits, compares } = this.state;
@@ -108,7 +108,7 @@ export class App extends PageState<State> {
     return Promise.resolve();
   }
 
-  /** A player has come to another text or moment. */
+  /** Handles a player's change of text or time. */
   #tell(): void {
     this.diagnostics = this.sittings[this.state.edits].player.diagnostics.filter(({ code }) => code !== NO_VOICE);
     this.redraw();

@@ -1,11 +1,11 @@
-/** One player of the page, and the text that it tells. */
+/** Player of the page, and its text. */
 
 import type { RaconteurPlayer } from '../../element/element.js';
 import { SHOWN_SECS } from './write.js';
 
-/** A control that moves has come to rest. */
+/** Time after which a moving control counts as at rest, ms. */
 const REST_MS = 120;
-/** By then the player has faded its new picture in. */
+/** Duration of the fade-in of the player's new picture, ms. */
 const FADED_MS = 550;
 
 export class ComparisonSide {
@@ -22,19 +22,19 @@ export class ComparisonSide {
     for (const type of ['loadedmetadata', 'error']) player.addEventListener(type, () => this.#came());
   }
 
-  /** Tells a text, soon. */
+  /** Loads a text after a short delay. */
   take(eml: string): void {
     this.#wanted = eml;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#tell(), this.#shown === '' ? 0 : REST_MS);
   }
 
-  /** Shows the moment at which all has come. */
+  /** Shows the time at which everything has settled. */
   stand(): void {
     this.player.currentTime = SHOWN_SECS;
   }
 
-  /** As a story between the tags: a text that is rehearsed has the room that hands may need when it is edited, so that no shot of it is near. */
+  /** Loads the text as a story between the tags: rehearsed content has room for edited hand positions, which would prevent close-ups. */
   #tell(): void {
     const { player } = this;
     if (this.#wanted === this.#shown) return;
@@ -49,7 +49,7 @@ export class ComparisonSide {
     });
   }
 
-  /** Leaves the picture of before over the player until the next one is there: nothing goes dark between them. */
+  /** Keeps the previous frame over the player until the next one is available, to avoid a dark flash. */
   #keepStill(): void {
     const { player } = this;
     if (this.#still !== undefined || player.readyState < 2) return;

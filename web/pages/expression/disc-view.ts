@@ -6,7 +6,7 @@ import type { App } from './app.js';
 import { BANDS, bandOf, told } from './rules.js';
 import { feltAt, rayOf, RAYS, spotOf, stepFrom, STRONGEST, type CurrentEmotion, type EmotionRay } from './types.js';
 
-/** Half the width and the height of the picture, in units of which the disc's rim has `RIM`. */
+/** Half the width of the image, in units in which the disc's rim has `RIM`; the next constant is half the height. */
 const WIDE = 170;
 const HIGH = 102;
 const RIM = 88;
@@ -21,7 +21,7 @@ function mark(ray: EmotionRay, chosen: boolean): TemplateResult {
   </g>`;
 }
 
-/** Where the camera comes nearer. */
+/** Renders the ring at which the camera moves closer. */
 const ring = (from: number): TemplateResult => svg`<circle class="ring" r=${(RIM * from) / STRONGEST} />`;
 
 export function disc(app: App): TemplateResult {

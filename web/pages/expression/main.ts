@@ -9,7 +9,7 @@ import { disc } from './disc-view.js';
 import { comparison, fromStart, rules, setting, types } from './panels.js';
 import type { Side, State } from './state.js';
 
-/** While it plays, rules are told so often. */
+/** Update interval of the rules during playback, ms. */
 const TOLD_MS = 250;
 
 function playerOf(id: string): RaconteurPlayer {

@@ -1,4 +1,4 @@
-/** What the controls of one setting are, and the rules that it makes fire. */
+/** Controls of a setting, and the rules that it triggers. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { check, choice, numberField, vars } from '../fields.js';
@@ -21,7 +21,7 @@ export function types(app: App): TemplateResult {
   return html`<div class="types">${group('Positive', GOOD)}${group('Negative', BAD)}${group('None', ['neutral'])}</div>`;
 }
 
-/** Where on the slider the shot changes. */
+/** Renders the tick on the slider at which the shot changes. */
 const tick = ({ from }: { readonly from: number }): TemplateResult => html`<li ${vars({ '--share': String(from / STRONGEST) })}>${told(from)}</li>`;
 
 /** Strength, channels and set. */
@@ -48,7 +48,7 @@ export function setting(app: App): TemplateResult {
     ${choice('set', 'Set', set, SETS, (to) => app.set(app.edit((s) => (s.set = to))))}`;
 }
 
-/** Whether two are compared, and which of them the controls change. */
+/** Renders the switch for comparison, and the choice of the edited setting. */
 export function comparison(app: App): TemplateResult {
   const { compares, edits } = app.state;
   return html`<div class="group comparison" role="group" aria-label="Two settings">
@@ -64,7 +64,7 @@ function rule({ channel, text, source, color }: Rule): TemplateResult {
   return html`<li class=${source === '' ? 'silent' : ''}><b>${NAMES[channel]}</b><span>${lamp}${text}${source === '' ? nothing : html` <small>${source}</small>`}</span></li>`;
 }
 
-/** The rules of each player on stage, as they are at its present moment. */
+/** Renders the rules of each player on stage at its current time. */
 export function rules(app: App): TemplateResult {
   const { compares } = app.state;
   const list = (side: Side): TemplateResult | typeof nothing => {
@@ -78,6 +78,6 @@ export function rules(app: App): TemplateResult {
   return html`<div class="lists">${app.shown.map(list)}</div>`;
 }
 
-/** Plays from where nothing is felt yet: the camera comes, light and mood follow. */
+/** Renders the button that plays from before the emotion starts: the camera moves, light and mood follow. */
 export const fromStart = (app: App): TemplateResult =>
   html`<button type="button" class="plain" ?disabled=${app.player.readyState < 2} @click=${() => app.playAll()}>From the start</button>`;

@@ -1,20 +1,20 @@
-/** The rules by which the environment expresses what is felt (GEVH 3.5.4), as sentences about one moment. */
+/** Rules by which the environment expresses emotions (GEVH 3.5.4), as sentences about one time. */
 
 import type { EnvironmentExpression } from '../../element/base/types.js';
 import type { Channels } from './state.js';
 import { BAD, GOOD, STRONGEST } from './types.js';
 
-/** A rule that fires, or a channel in which none does. */
+/** Active rule, or a channel without one. */
 export interface Rule {
   readonly channel: 'feeling' | keyof Channels;
   readonly text: string;
-  /** Where GEVH has it; empty where it is silent. */
+  /** Reference in GEVH; empty if there is none. */
   readonly source: string;
   /** The colour that it is about, of CSS. */
   readonly color?: string;
 }
 
-/** A distance of the camera, and from which potential on it is taken. */
+/** Camera distance, and the potential from which it applies. */
 interface PotentialBand {
   readonly from: number;
   readonly shot: EnvironmentExpression['shot'];
@@ -82,14 +82,14 @@ function lossRule({ emotion, intensity, attenuation, brightness }: EnvironmentEx
   return { channel: 'light', text: `${sense}: attenuation ${how} = ${told(attenuation, 2)} → ${told(100 * brightness, 0)} % as bright`, source: `equation ${equation}` };
 }
 
-/** What the mood is called, and the bounds that make it so. */
+/** Returns the name of the mood, and the bounds that define it. */
 function moodOf({ valence, arousal }: EnvironmentExpression): string {
   const tone = valence > MOODY ? `above ${MOODY}, good` : valence < -MOODY ? `below −${MOODY}, bad` : `within ±${MOODY}, neutral`;
   const active = arousal > AROUSED ? `above ${AROUSED}, active` : `not above ${AROUSED}, calm`;
   return `Mood ${told(valence)} (${tone}), arousal ${told(arousal)} (${active})`;
 }
 
-/** The piece without its folder and ending; what arousal adds to it has a file of its own. */
+/** Returns the piece without its folder and extension; the part added by arousal has its own file. */
 function pieceOf(music: readonly string[]): string {
   const names = music.map((file) => file.replace(/^.*\/|\.\w+$/g, ''));
   const piece = names.find((name) => !name.endsWith('-rise'));
@@ -105,14 +105,14 @@ const OFF: Readonly<Record<keyof Channels, string>> = {
   music: 'Off: silence',
 };
 
-/** Nothing is felt: what each channel does of itself. */
+/** Descriptions of each channel without emotion. */
 const PLAIN: Readonly<Record<keyof Channels, string>> = {
   camera: 'The storyteller’s shot, at eye height',
   light: 'The light of the set',
   music: 'Silence',
 };
 
-/** All rules that fire at a moment. */
+/** Returns all rules active at a time. */
 export function rulesOf(expressed: EnvironmentExpression, channels: Channels): readonly Rule[] {
   const { emotion, potential } = expressed;
   const isFelt = [...GOOD, ...BAD].some((name) => name === emotion) && potential > 0;

@@ -1,8 +1,8 @@
-/** What the controls of the page are set to: two settings, the second once they are compared. */
+/** Settings of the page: two, the second once they are compared. */
 
 import type { EmotionName } from './types.js';
 
-/** The channels by which the environment expresses what is felt; the face always does. */
+/** Channels by which the environment expresses emotions; the face is always active. */
 export interface Channels {
   camera: boolean;
   light: boolean;
@@ -13,11 +13,11 @@ export type StageSet = 'curtain' | 'fireside' | 'garden' | 'night' | 'school';
 
 export interface Setting extends Channels {
   emotion: EmotionName;
-  /** How strong the events are that elicit it, 0 to 10. */
+  /** Potential of the eliciting events, 0 to 10. */
   potential: number;
-  /** Where the story is told. */
+  /** Set of the story. */
   set: StageSet;
-  /** Whether the light is that of GEVH to the letter, in full colour, and not a gel. */
+  /** True for the light exactly as in GEVH, in full colour, instead of a gel. */
   thesis: boolean;
 }
 
@@ -25,15 +25,15 @@ export type Side = 'a' | 'b';
 
 export interface State {
   a: Setting;
-  /** None until it is compared with the first. */
+  /** Second setting; null until compared. */
   b: Setting | null;
-  /** Whether both are on stage. */
+  /** True if both are on stage. */
   compares: boolean;
-  /** Which one the controls change. */
+  /** Side that the controls edit. */
   edits: Side;
 }
 
-/** What a new page shows. */
+/** Returns the initial state of the page. */
 export const beginning = (): State => ({
   a: { emotion: 'joy', potential: 3, camera: true, light: true, music: true, set: 'curtain', thesis: false },
   b: null,
@@ -41,7 +41,7 @@ export const beginning = (): State => ({
   edits: 'a',
 });
 
-/** The setting of a side; what was never compared is as the first, by its face alone. */
+/** Returns the setting of a side; one that was never compared equals the first, with the face only. */
 export function settingOf({ a, b }: State, side: Side): Setting {
   return side === 'a' ? a : (b ?? { ...a, camera: false, light: false, music: false });
 }

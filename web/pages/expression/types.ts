@@ -28,7 +28,7 @@ export interface EmotionRay {
 /** Degrees between two rays. */
 const APART = 12;
 
-/** Where F&H table 4.4 has a type. */
+/** Returns the position of a type in F&H table 4.4. */
 function placeOf(name: EmotionName): EmotionWord {
   const place = WORDS.find((w) => w.word === name || w.also.includes(name));
   if (place === undefined) throw new Error(`the disc has no ${name}`);
@@ -55,25 +55,25 @@ export const RAYS: readonly EmotionRay[] = [...RIGHT, ...LEFT];
 
 export const rayOf = (name: EmotionName): EmotionRay | undefined => RAYS.find((ray) => ray.name === name);
 
-/** A place of the disc: to the right and upwards, 1 at its rim. */
+/** Position on the disc: to the right and upwards, 1 at its rim. */
 export interface DiscPoint {
   readonly x: number;
   readonly y: number;
 }
 
-/** Where a ray is at a distance from the middle. */
+/** Returns the point of a ray at a distance from the centre. */
 export function spotOf({ side, rise }: EmotionRay, distance: number): DiscPoint {
   const radians = (rise * Math.PI) / 180;
   return { x: side * distance * Math.cos(radians), y: distance * Math.sin(radians) };
 }
 
-/** What is felt: a type and how strong the events are that elicit it. */
+/** Emotion: a type and the potential of the events that elicit it. */
 export interface CurrentEmotion {
   readonly emotion: EmotionName;
   readonly potential: number;
 }
 
-/** The type in whose direction a place lies, and a potential that is its distance from the middle; in the very middle nothing is felt. */
+/** Returns the type in the direction of a position, with its distance from the centre as the potential; none at the very centre. */
 export function feltAt({ x, y }: DiscPoint): CurrentEmotion {
   const potential = rounded(Math.hypot(x, y) * STRONGEST);
   if (potential === 0) return { emotion: 'neutral', potential };
@@ -85,7 +85,9 @@ export function feltAt({ x, y }: DiscPoint): CurrentEmotion {
   return { emotion: nearest.name, potential };
 }
 
-/** Where arrow keys lead on the disc: up and down to the next type of a side, to the rim stronger, through the middle to the other side. */
+/**
+ * Returns the emotion after an arrow key on the disc: up and down to the next type of a side, stronger towards the rim, through the centre to the other side.
+ */
 export function stepFrom({ emotion, potential }: CurrentEmotion, right: number, up: number): CurrentEmotion {
   const own = rayOf(emotion);
   if (own === undefined) return right === 0 ? { emotion, potential } : feltAt({ x: (right * POTENTIAL_STEP) / STRONGEST, y: 0 });

@@ -1,4 +1,4 @@
-/** The state of the face's page: its settings, and from where one looks at the head. */
+/** State of the face page: its settings, and the view of the head. */
 
 import type { RaconteurPlayer } from '../../element/element.js';
 import { HeadView, SIDES } from '../head-view.js';
@@ -8,12 +8,12 @@ import { write } from './write.js';
 
 export type Tab = 'emotion' | 'muscles' | 'direct' | 'visemes' | 'manner';
 
-/** So near that the head fills the picture. */
+/** Zoom at which the head fills the image. */
 const NEAR = 7;
 
 export class App extends PageState<State> {
   tab: Tab = 'emotion';
-  /** The running fetch or read that may take more than a moment; empty for none. */
+  /** Slow fetch or read in progress; empty for none. */
   busy = '';
   #begins = false;
   readonly view: HeadView;
@@ -42,7 +42,7 @@ export class App extends PageState<State> {
     return write(this.state);
   }
 
-  /** Speech is shown from its heard time. */
+  /** False for speech, which is shown at its audible time. */
   protected override get showsEnd(): boolean {
     return this.state.speech.kind === 'none';
   }

@@ -1,10 +1,10 @@
-/** What the strip draws of a course: dominance, and the curves that move most. */
+/** Contents of the strip's course: dominance, and the most active curves. */
 
 import { curvesOf, DIRECT_CONTROLS, type DirectControl, type FaceCurves, type Segment } from '../../element/face/course.js';
 import type { FaceCourse } from '../../element/base/face-types.js';
 import { MUSCLE_ORDER, namesOf } from './dials.js';
 
-/** Dominance of a segment at a time: α·exp(−θ·|τ|), full while it is held (F&H 3.1.3). */
+/** Returns the dominance of a segment at a time: α·exp(−θ·|τ|), full while it is held (F&H 3.1.3). */
 export function dominance({ held, alpha, rates }: Segment, secs: number): number {
   return alpha * Math.exp(-(rates[0] * Math.max(0, held[0] - secs) + rates[1] * Math.max(0, secs - held[1])));
 }
@@ -15,7 +15,7 @@ export interface Curve {
   readonly values: readonly number[];
 }
 
-/** What the page calls the controls that are no muscles, and what of each is 1. */
+/** Labels of the non-muscle controls, and the meaning of 1 for each. */
 const DIRECT: Readonly<Record<DirectControl, readonly [name: string, full: number]>> = {
   jawPitch: ['Jaw', 0.35],
   jawYaw: ['Jaw, sideways', 0.1],
@@ -35,12 +35,12 @@ const DIRECT: Readonly<Record<DirectControl, readonly [name: string, full: numbe
   blush: ['Blush', 1],
 };
 
-/** What the page calls the muscles, in the order of the table. */
+/** Labels of the muscles, in the order of the table. */
 const MUSCLE_NAMES: readonly string[] = MUSCLE_ORDER.flatMap((dial) =>
   namesOf(dial).map((own) => (dial.paired ? `${dial.label}, ${own.endsWith('Left') ? 'left' : 'right'}` : dial.label)),
 );
 
-/** The curves that move most, the liveliest first; of two sides that do the same, the left one stands for both. */
+/** Returns the most active curves in descending order; of two identical sides, only the left one. */
 export function liveliest({ muscles, direct }: FaceCurves, most: number): readonly Curve[] {
   const named: Curve[] = [
     ...muscles.map((values, i) => ({ name: MUSCLE_NAMES[i] ?? '', values })),
@@ -61,12 +61,12 @@ export function liveliest({ muscles, direct }: FaceCurves, most: number): readon
     .slice(0, most);
 }
 
-/** A lid that is closed less than this lets one see the eye. */
+/** Closure of a lid below which the eye is visible. */
 const OPEN_LID = 0.25;
-/** A blink is over within so many steps of this length. */
+/** Maximum duration of a blink, in steps of this length. */
 const BLINK = { stepSecs: 0.02, steps: 30 } as const;
 
-/** The first moment from a time on, within a blink's length, in which the eyes are open; that time itself where nothing is known of them. */
+/** Returns the first time, within the length of a blink, at which the eyes are open; the given time if their state is unknown. */
 export function openEyesAt(player: { course(from: number, to: number, count: number): FaceCourse | undefined }, secs: number): number {
   const { stepSecs, steps } = BLINK;
   const course = player.course(secs, secs + steps * stepSecs, steps + 1);

@@ -2,17 +2,17 @@
 
 import table from '../../../crate/tissue/src/muscles.tsv?raw';
 
-/** One slider: a muscle or a direct parameter, alone or left and right. */
+/** Slider: a muscle or a direct parameter, alone or left and right. */
 export interface FaceControl {
   /** Its name in EML, without the side where there are two. */
   readonly name: string;
-  /** What the page calls it. */
+  /** Label on the page. */
   readonly label: string;
-  /** What it does, in a few words. */
+  /** Short description of its effect. */
   readonly note: string;
   /** One on each side of the face. */
   readonly paired: boolean;
-  /** It goes from -1 to 1 instead of from 0. */
+  /** True for a range of -1 to 1 instead of from 0. */
   readonly signed: boolean;
 }
 
@@ -29,7 +29,7 @@ interface Row {
   readonly dial: FaceControl;
 }
 
-/** The rows of a table of muscles, as `crate/tissue/src/muscles.tsv`: what this page shows of them. */
+/** Returns the rows of a muscle table, such as `crate/tissue/src/muscles.tsv`, with the parts shown on this page. */
 const rowsOf = (text: string): readonly Row[] =>
   text
     .trimEnd()
@@ -40,7 +40,7 @@ const rowsOf = (text: string): readonly Row[] =>
       return { title, dial: sides === 'pair' ? two(name, label, note) : one(name, label, note) };
     });
 
-/** The muscles of a table by region, in the order in which regions come first. */
+/** Returns the muscles of a table by region, in order of first appearance. */
 export function musclesOf(text: string): readonly Region[] {
   const rows = rowsOf(text);
   return [...new Set(rows.map((row) => row.title))].map((title) => ({
@@ -49,13 +49,13 @@ export function musclesOf(text: string): readonly Region[] {
   }));
 }
 
-/** The muscles in the order of the table, pairs once: that of the numbers that the player tells. */
+/** Muscles in the order of the table, pairs once: the order of the player's numbers. */
 export const MUSCLE_ORDER: readonly FaceControl[] = rowsOf(table).map((row) => row.dial);
 
 /** The muscles by region (F&H table 3.1). */
 export const MUSCLES: readonly Region[] = musclesOf(table);
 
-/** What no muscle moves here. */
+/** Controls without a muscle. */
 export const DIRECT: readonly Region[] = [
   {
     title: 'Jaw',
@@ -123,5 +123,5 @@ export const VISEMES: readonly Region[] = [
 
 export const ALL: readonly FaceControl[] = [...MUSCLES, ...DIRECT, ...VISEMES].flatMap((region) => region.dials);
 
-/** The names that a dial has in EML by itself: both sides, or one. */
+/** Returns the EML names of a dial: both sides, or one. */
 export const namesOf = ({ name, paired }: FaceControl): readonly string[] => (paired ? [`${name}Left`, `${name}Right`] : [name]);

@@ -1,14 +1,14 @@
-/** The disc of emotions as a picture to drag on: activation upwards, evaluation to the right (F&H figure 4.5). */
+/** Draggable disc of emotions: activation upwards, evaluation to the right (F&H figure 4.5). */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { follow, keySteps, numberField, vars } from '../fields.js';
 import type { App } from './app.js';
 import { inWords, NEUTRAL, OUTLINE, sharesAt, within, WORDS, type EmotionWord, type EmotionPoint } from './disc.js';
 
-/** Half of the picture, in units of the disc. */
+/** Half the size of the image, in units of the disc. */
 const HALF = 108;
 
-/** Where words are written, so that none lies over another: evaluation, activation, and which end of the word is there. */
+/** Positions of word labels, chosen to avoid overlap: evaluation, activation, and text anchor. */
 const LABELS: Readonly<Record<string, readonly [number, number, 'start' | 'end' | 'middle']>> = {
   surprise: [7, 93, 'start'],
   hate: [-52, 66, 'start'],
@@ -120,7 +120,7 @@ export function disc(app: App): TemplateResult {
     ${shares.length > 0 ? nothing : html`<p class="about">Drag on the disc, or choose a word. Words are placed as in F&amp;H table 4.4; the face follows within their outline.</p>`}`;
 }
 
-/** Goes to a word's own place; words at one place may look different. */
+/** Selects the position of a word; words at one position may look different. */
 function choose(app: App, name: string): void {
   const word = WORDS.find((w) => w.word === name || w.also.includes(name));
   const { activation, evaluation, power } = word ?? NEUTRAL;

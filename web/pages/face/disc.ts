@@ -1,8 +1,8 @@
-/** The disc of emotions: words at their places in activation, evaluation and power, and how a place is written by words (F&H 4.4). */
+/** Disc of emotions: words at their positions in activation, evaluation and power, and the conversion of a position to words (F&H 4.4). */
 
 import emotions from '../emotions.json';
 
-/** A place in the space of emotions; each from -100 to 100. */
+/** Point in the emotion space; each coordinate from -100 to 100. */
 export interface EmotionPoint {
   activation: number;
   evaluation: number;
@@ -11,13 +11,13 @@ export interface EmotionPoint {
 
 export interface EmotionWord extends EmotionPoint {
   readonly word: string;
-  /** Others that the table puts at the same place. */
+  /** Other words at the same position in the table. */
   readonly also: readonly string[];
 }
 
 const square = (a: EmotionPoint, b: EmotionPoint): number => (a.activation - b.activation) ** 2 + (a.evaluation - b.evaluation) ** 2 + (a.power - b.power) ** 2;
 
-/** F&H table 4.4 (NECA), with the words that F&H name besides (`WORDS` in `crate/speech/src/emotion.rs`), each place once. */
+/** F&H table 4.4 (NECA), with the additional words of F&H (`WORDS` in `crate/speech/src/emotion.rs`), each position once. */
 export const WORDS: readonly EmotionWord[] = emotions.words.reduce<(EmotionWord & { also: string[] })[]>((places, { word, ...place }) => {
   const there = places.find((other) => square(other, place) === 0);
   if (there === undefined) places.push({ word, also: [], ...place });
@@ -25,7 +25,7 @@ export const WORDS: readonly EmotionWord[] = emotions.words.reduce<(EmotionWord 
   return places;
 }, []);
 
-/** How much of a word is felt, 0 to 1. */
+/** Share of a word in a mixture, 0 to 1. */
 export interface WeightShare {
   readonly word: EmotionWord;
   readonly value: number;
@@ -33,18 +33,20 @@ export interface WeightShare {
 
 export const NEUTRAL: Readonly<EmotionPoint> = { activation: 0, evaluation: 0, power: 0 };
 
-/** Words that others are blended of: half a wink is none. */
+/** Words used in mixtures: half a wink is meaningless. */
 const BLENDED = WORDS.filter((w) => w.word !== 'kidding');
 
-/** Less of a word than this is not seen. */
+/** Share of a word below which it is invisible. */
 const MIN_WEIGHT = 0.005;
-/** How much it counts that the words of a mixture are near to its place, against how near the mixture's power is to the requested one. Designed: neighbours, unless others fit the power clearly better. */
+/**
+ * Weight of the distance of a mixture's words from its position, relative to the error of its power. Designed: neighbours, unless others fit the power clearly
+ * better.
+ */
 const NEAR = 0.12;
 
 /**
- * The words whose mixture lies at a place of the disc, and as near to its power as any: two at most,
- * their shares no more than 1 together, so that the player adds them up as they are. A place
- * outside of all words is brought in first.
+ * Returns the words whose mixture lies at a position of the disc, with the closest possible power: at most two, with shares of at most 1 together, so that the
+ * player adds them unchanged. A position outside all words is first moved inside.
  */
 export function sharesAt(wanted: EmotionPoint): readonly WeightShare[] {
   const place = { ...wanted, ...within(wanted) };
@@ -76,7 +78,7 @@ export function sharesAt(wanted: EmotionPoint): readonly WeightShare[] {
   return best;
 }
 
-/** Where a mixture lies. */
+/** Returns the position of a mixture. */
 export function at(shares: readonly WeightShare[]): EmotionPoint {
   const sum = (key: keyof EmotionPoint): number => shares.reduce((total, { word: w, value }) => total + value * w[key], 0);
   return { activation: sum('activation'), evaluation: sum('evaluation'), power: sum('power') };
@@ -85,7 +87,7 @@ export function at(shares: readonly WeightShare[]): EmotionPoint {
 type Point = readonly [evaluation: number, activation: number];
 const turn = (o: Point, a: Point, b: Point): number => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 
-/** The outline of all words on the disc, counterclockwise: what words can say (the monotone chain of Andrew). */
+/** Outline of all words on the disc, counterclockwise: the range of expressible positions (Andrew's monotone chain). */
 export const OUTLINE: readonly Point[] = ((): Point[] => {
   const points = WORDS.map((w): Point => [w.evaluation, w.activation]).sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   const chain = (list: readonly Point[]): Point[] => {
@@ -103,7 +105,7 @@ export const OUTLINE: readonly Point[] = ((): Point[] => {
   return [...chain(points), ...chain([...points].reverse())];
 })();
 
-/** The nearest place of the disc that words can say. */
+/** Returns the nearest expressible position of the disc. */
 export function within({ evaluation, activation }: Pick<EmotionPoint, 'evaluation' | 'activation'>): Pick<EmotionPoint, 'evaluation' | 'activation'> {
   const p: Point = [evaluation, activation];
   const edges = OUTLINE.map((from, i) => [from, OUTLINE[(i + 1) % OUTLINE.length] ?? from] as const);
@@ -121,7 +123,7 @@ export function within({ evaluation, activation }: Pick<EmotionPoint, 'evaluatio
   return { evaluation: nearest[0], activation: nearest[1] };
 }
 
-/** A place in words, for people. */
+/** Returns a readable description of a position. */
 export function inWords(shares: readonly WeightShare[]): string {
   if (shares.length === 0) return 'neutral';
   return [...shares]

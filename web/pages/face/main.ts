@@ -13,7 +13,7 @@ import { views } from './stage.js';
 import type { State } from './state.js';
 import { follow, measure, strip, type Strip } from './strip.js';
 
-/** By then the requested picture is shown. */
+/** Time after which the requested frame is shown, ms. */
 const SHOWN_MS = 250;
 
 const player = findPlayer();
@@ -47,7 +47,7 @@ const shell = new Shell<State, Tab>(app, {
   keepUp: () => follow(places.strip, player),
 });
 
-/** Brings the head into the middle when the picture of now is there. */
+/** Centres the head once the current frame is available. */
 function centreSoon(): void {
   setTimeout(() => app.view.centre(), SHOWN_MS);
 }

@@ -1,16 +1,18 @@
-/** How much and how often one accompanies speech: the amounts of `r:performer` (F&H sections 4.2 and 4.3; `crate/actor/src/nonverbal/manner.rs`). */
+/**
+ * Amount and frequency of expressions that accompany speech: the amounts of `r:performer` (F&H sections 4.2 and 4.3; `crate/actor/src/nonverbal/manner.rs`).
+ */
 
 /** One amount. */
 export interface Amount {
   /** Its attribute in EML. */
   readonly name: string;
   readonly label: string;
-  /** What it does, in a few words. */
+  /** Short description of its effect. */
   readonly note: string;
   readonly least: number;
   readonly most: number;
   readonly step: number;
-  /** Where nothing is said. */
+  /** Default value. */
   readonly usual: number;
 }
 

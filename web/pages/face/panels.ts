@@ -1,4 +1,4 @@
-/** Sliders of muscles, of what no muscle moves, and of visemes. */
+/** Sliders of muscles, of direct controls, and of visemes. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { check, numberField } from '../fields.js';
@@ -55,7 +55,7 @@ function link(app: App, on: boolean): void {
   });
 }
 
-/** A slider of what accompanies speech. */
+/** Renders the slider of an amount of accompanying expression. */
 function amount(app: App, own: Amount): TemplateResult {
   const { name, label, note, least, most, step, usual } = own;
   const value = app.state.manner[name] ?? usual;
@@ -69,7 +69,7 @@ function amount(app: App, own: Amount): TemplateResult {
   </div>`;
 }
 
-/** How one accompanies speech: by what, how much and how often. */
+/** Renders the settings of expressions that accompany speech: source, amount and frequency. */
 export function manner(app: App): TemplateResult {
   const isUsual = Object.keys(app.state.manner).length === 0;
   return html`<div class="row bar">

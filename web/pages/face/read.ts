@@ -1,4 +1,4 @@
-/** From EML to what the face's controls can show of it. */
+/** Conversion from EML to the state of the face controls. */
 
 import { attribute, read as parse, removeElement, setAttribute, apply, within, type Element } from '../source.js';
 import { ALL, namesOf } from './dials.js';
@@ -6,7 +6,7 @@ import { at, WORDS, type WeightShare } from './disc.js';
 import { ALL_AMOUNTS } from './manner.js';
 import type { Line, State } from './state.js';
 
-/** Emotion, control parameters and manner that a script sets at its beginning; what the page has no control for is left out. */
+/** Reads the emotion, control parameters and manner set at the beginning of a script; parameters without a control on the page are ignored. */
 export function read(eml: string): Pick<State, 'emotion' | 'word' | 'values' | 'way' | 'manner'> {
   const shares: WeightShare[] = [];
   let named = '';
@@ -40,10 +40,10 @@ export function read(eml: string): Pick<State, 'emotion' | 'word' | 'values' | '
   return { emotion: at(shares), word: named, values, way, manner };
 }
 
-/** How much of a sentence is shown in a menu. */
+/** Maximum length of a sentence in a menu. */
 const LABEL = 72;
 
-/** The sentences of a story, each with what its voice depends on, its marks and times taken off: nothing else of the story waits for them. */
+/** Returns the sentences of a story, each with the context of its voice, without marks and times, so that it does not depend on other parts of the story. */
 export function lines(eml: string): readonly Line[] {
   const all = [...within(parse(eml))];
   const head = all.find((e) => e.name === 'head');
@@ -72,7 +72,7 @@ export function lines(eml: string): readonly Line[] {
   return found;
 }
 
-/** A clause at the very beginning, where marks of the story mean nothing. */
+/** Converts a clause to one at the very beginning, where marks of the story are undefined. */
 function atStart(markup: string): string {
   const [top] = parse(markup);
   return top === undefined ? '' : apply(markup, setAttribute(top, 'time', '0'));

@@ -44,7 +44,7 @@ async function offer(app: App, story: string, say: (text: string) => void): Prom
   if (line !== undefined) speak(app, src, line);
 }
 
-/** Says it from the beginning. */
+/** Speaks a sentence or text from the beginning. */
 export function speak(app: App, src: string, line: Line | string): void {
   app.set((s) => {
     s.story = src;

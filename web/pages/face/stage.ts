@@ -1,4 +1,4 @@
-/** The picture: looks around the head, and its layers. */
+/** Picture of the face page: views of the head, and layers. */
 
 import { html, type TemplateResult } from 'lit';
 import { lookFrom } from '../head-view.js';
@@ -7,7 +7,7 @@ import type { Layers } from './state.js';
 
 const LAYERS: Readonly<Record<keyof Layers, string>> = { skin: 'Skin', springs: 'Springs', muscles: 'Muscles', skull: 'Skull' };
 
-/** Sides to look from, and drawing modes. */
+/** Renders the buttons for views, and for rendering modes. */
 export function views(app: App): TemplateResult {
   const { layers } = app.state;
   const turn = (key: keyof Layers): void =>

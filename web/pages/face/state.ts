@@ -1,4 +1,4 @@
-/** What the controls of the face are set to: everything that its EML says. */
+/** State of the face controls: everything expressed in the EML. */
 
 import { NEUTRAL, type EmotionPoint } from './disc.js';
 
@@ -14,38 +14,38 @@ export interface Layers {
 export interface Line {
   /** Its words, for people. */
   readonly label: string;
-  /** Its `voice-text` or `voice-say`, without a time. */
+  /** `voice-text` or `voice-say` of the sentence, without a time. */
   readonly markup: string;
-  /** What else of the script its voice depends on: language, voice, emotion. */
+  /** Other parts of the script that affect its voice: language, voice, emotion. */
   readonly before: readonly string[];
-  /** What of the script's head it depends on. */
+  /** Parts of the script's head that affect it. */
   readonly head: string;
 }
 
-/** The speech: nothing, a text of one's own, or a sentence of a story in its voice. */
+/** Speech: none, a custom text, or a sentence of a story in its voice. */
 export type Speech = { kind: 'none' } | { kind: 'text'; text: string } | { kind: 'story'; line: Line };
 
-/** What expressions beside speech are made from, as EML has it. */
+/** Source of the expressions that accompany speech, as in EML. */
 export type PlanBasis = 'sound' | 'text';
 
 export interface State {
   emotion: EmotionPoint;
-  /** The word that was chosen for it; empty where only its place was. */
+  /** Word chosen for the emotion; empty if only a position was chosen. */
   word: string;
   /** Control parameters that are not 0, by their names in EML; of two sides each for itself. */
   values: Record<string, number>;
   /** Left and right move together. */
   linked: boolean;
   speech: Speech;
-  /** Address of the story whose voice is at hand; empty for none. */
+  /** Address of the story whose voice is loaded; empty for none. */
   story: string;
   way: PlanBasis;
-  /** Amounts of what accompanies speech that are not the usual ones, by their names in EML. */
+  /** Non-default amounts of accompanying expressions, by EML name. */
   manner: Record<string, number>;
   layers: Layers;
 }
 
-/** What a new page shows. */
+/** Returns the initial state of the page. */
 export const beginning = (): State => ({
   emotion: { ...NEUTRAL },
   word: '',

@@ -1,4 +1,4 @@
-/** Speech over time: phones, their dominance over the mouth, and what the face does for it. */
+/** Strip of speech over time: phones, their dominance over the mouth, and the movement of the face. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { curvesOf, segmentsOf, type Segment } from '../../element/face/course.js';
@@ -7,27 +7,27 @@ import { vars } from '../fields.js';
 import type { App } from './app.js';
 import { dominance, liveliest, type Curve } from './course.js';
 
-/** Samples a second, and as many as the player gives at once. */
+/** Sample rate; also the number of samples that the player returns per call. */
 const RATE_HZ = 50;
 const MAX_SAMPLES = 1500;
-/** Curves that are drawn. */
+/** Maximum number of curves. */
 const MAX_CURVES = 12;
 /** Pixels of a second, of the row of phones, of dominance, and of one curve. */
 const SECOND = 220;
 const PHONES = 26;
 const DOMINANCE = 56;
 const ROW = 30;
-/** Dominance below this share of the greatest is not drawn. */
+/** Share of the maximum dominance below which dominance is not drawn. */
 const FAINT = 0.02;
 
-/** What the strip shows; made once for each text. */
+/** Contents of the strip, computed once for each text. */
 export interface Strip {
   readonly secs: number;
   readonly segments: readonly Segment[];
   readonly curves: readonly Curve[];
 }
 
-/** Measures the course; undefined when nothing is said or no story is loaded. */
+/** Measures the course; undefined if nothing is spoken or no story is loaded. */
 export function measure(app: App): Strip | undefined {
   const { player, state } = app;
   if (state.speech.kind === 'none') return undefined;
@@ -71,7 +71,7 @@ function curve({ values }: Curve, i: number, secs: number): TemplateResult {
   return svg`<g class="curve"><line x1="0" x2=${n(width)} y1=${zero} y2=${zero} /><polygon points="0,${zero} ${points} ${n(width)},${zero}" /><polyline points=${points} /></g>`;
 }
 
-/** The strip with its names at the side; a press on it goes there. */
+/** Renders the strip with its labels at the side; a click on it seeks. */
 export function strip(app: App, now: Strip | undefined): TemplateResult {
   if (now === undefined)
     return html`<p class="about none">Write a line, or choose a sentence of a story, to plot its phones, the dominance of each over the opening of the lips, and the resulting muscle contractions.</p>`;
@@ -97,7 +97,7 @@ export function strip(app: App, now: Strip | undefined): TemplateResult {
   </div>`;
 }
 
-/** Keeps the line of the present where the clock is, and in sight while it runs. */
+/** Keeps the playhead at the current time, and visible during playback. */
 export function follow(place: HTMLElement, player: RaconteurPlayer): void {
   const head = place.querySelector<HTMLElement>('.playhead');
   const scroll = place.querySelector<HTMLElement>('.scroll');

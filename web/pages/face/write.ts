@@ -6,9 +6,9 @@ import { ALL, namesOf, type FaceControl } from './dials.js';
 import { sharesAt } from './disc.js';
 import type { Layers, State } from './state.js';
 
-/** How long a face that says nothing is shown, seconds; then it begins again. */
+/** Duration of a silent face, seconds; then it restarts. */
 const LENGTH_SECS = 600;
-/** When one begins to speak, and how long the picture stays after it, seconds. */
+/** Start of the speech, seconds; the next constant is the duration of the picture after it. */
 export const SPEAKS_SECS = 0.5;
 const AFTER_SECS = 1;
 
@@ -51,7 +51,7 @@ function speech({ speech: said }: State): { head: string; clauses: string[] } {
 
 const escapeText = (text: string): string => text.replace(/&/g, '&amp;').replace(/</g, '&lt;');
 
-/** A head in which speech is accompanied as the state says. */
+/** Returns a head with the expressions that accompany speech set by the state. */
 function accompanied(head: string, { way, manner }: State): string {
   const own = { ...(way === 'text' ? { expressions: 'text' } : {}), ...manner };
   if (Object.keys(own).length === 0) return head;

@@ -12,7 +12,7 @@ import { read, type Change } from '../source.js';
 
 export type Tab = 'phase' | Feature | 'course';
 
-/** The time that the player gives an arm to come to a first stroke (`RUN_UP_SECS` in `crate/player/src/lower/script.rs`): what comes earlier is delayed. */
+/** Time allowed for an arm to reach a first stroke (`RUN_UP_SECS` in `crate/player/src/lower/script.rs`): earlier strokes are delayed. */
 const RUN_UP_SECS = 0.9;
 
 export class App {
@@ -26,9 +26,9 @@ export class App {
   readonly #key: Record<Feature, number> = { shape: 0, palm: 0, place: 0 };
   /** The feature whose course is edited. */
   courseOf: Feature = 'place';
-  /** Whether the course is of the whole track, not of one key. */
+  /** True if the course applies to the whole track, not to one key. */
   wholeTrack = false;
-  /** Whether the second of two mixed shapes is picked. */
+  /** True if the second of two mixed shapes is being chosen. */
   second = false;
   pose: PoseNow | undefined;
   /** The engine's reading of palms, once it is there. */
@@ -65,7 +65,7 @@ export class App {
     return Math.min(this.#phase, this.gesture.phases.length - 1);
   }
 
-  /** The hand whose tracks are shown. */
+  /** Hand whose tracks are shown. */
   get hand(): Hand {
     const { phase } = this;
     if (phase === undefined) return this.#hand;
@@ -119,7 +119,7 @@ export class App {
     else this.#showKey();
   }
 
-  /** A picture of the moment that is edited, unless it plays. */
+  /** Shows the frame of the edited key, except during playback. */
   #showKey(feature: Feature = this.tab === 'phase' ? 'place' : this.tab === 'course' ? this.courseOf : this.tab): void {
     const { phase } = this;
     const secs = this.key(feature)?.secs ?? (phase === undefined ? 0 : phase.durationSecs);
@@ -130,13 +130,13 @@ export class App {
 
   // --- time ---
 
-  /** How much later the player begins than the text says. */
+  /** Delay of the player relative to the text's times. */
   get delaySecs(): number {
     const starts = this.gesture.phases.map((phase) => phase.startSecs);
     return starts.length === 0 || starts.includes(undefined) ? 0 : Math.max(0, RUN_UP_SECS - Math.min(...starts.map((s) => s ?? 0)));
   }
 
-  /** The moment on stage, in the time of the text. */
+  /** Time on stage, in the time of the text. */
   get secs(): number {
     return this.player.currentTime - this.delaySecs;
   }
@@ -145,7 +145,7 @@ export class App {
     this.player.currentTime = secs + this.delaySecs;
   }
 
-  /** When the last phase ends, in the time of the text. */
+  /** End of the last phase, in the time of the text. */
   get endSecs(): number {
     return Math.max(0, ...this.gesture.phases.map((phase) => (phase.startSecs ?? 0) + phase.durationSecs));
   }
@@ -162,7 +162,7 @@ export class App {
     this.editor.drag(changes);
   }
 
-  /** Sets what the selected key of a feature says, or another one of its track, while a control moves. */
+  /** Sets the value of the selected key of a feature, or of another key of its track, while a control moves. */
   setValue(feature: Feature, value: Value, index = this.keyIndex(feature)): void {
     const key = this.track(feature)?.keys[index];
     const { gesture, phase } = this;
@@ -180,7 +180,7 @@ export class App {
     this.redraw();
   }
 
-  /** Puts the text on stage; while one is being read, only the last of those that come waits. */
+  /** Loads the text on stage; while one is being read, only the latest is queued. */
   async rehearse(): Promise<void> {
     if (this.#rehearsing) return;
     this.#rehearsing = true;
@@ -203,7 +203,7 @@ export class App {
     }
   }
 
-  /** Draws the page once before the next picture. */
+  /** Redraws the page once before the next frame. */
   redraw(): void {
     if (this.#drawing !== 0) return;
     this.#drawing = requestAnimationFrame(() => {

@@ -15,7 +15,7 @@ const LINES = 'M-.24.06C-.1-.02.08-.02.2.12M-.22-.06C-.06-.16.04-.22.08-.32M.2.0
 /** Marks that are visible only on the back. */
 const NAILS = 'M-.24.45v.03M-.08.6v.03M.085.68v.03M.25.57v.03';
 
-/** Where the picture of a direction lies: x to the right, y down, as the audience sees it. */
+/** Projects a direction to the image: x to the right, y down, in the audience's view. */
 const flat = ([x, y]: Vector3): [number, number] => [x, -y];
 const short = (n: number): string => n.toFixed(3);
 
@@ -38,13 +38,13 @@ export function inWords(direction: Vector3): string {
 
 /** Degrees of an arrow key. */
 const STEP = 5;
-/** Nearer to the middle than this share of the picture's half is on the ball; outside is its rim. */
+/** Radius of the ball as a share of half the image; outside is its rim. */
 const BALL = 0.8;
 
 export interface Ball extends Sink<HandDirections> {
   readonly hand: Hand;
   readonly directions: HandDirections;
-  /** The directions by now: keys may come faster than the page is drawn. */
+  /** Returns the current directions: key presses may come faster than the page is rendered. */
   live(): HandDirections;
 }
 

@@ -1,4 +1,4 @@
-/** The course to a key: how much of the way is covered at a share of the time, with handles where it has any. */
+/** Timing curve to a key: the covered share of the path by the share of the time, with handles if it has any. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { choice, type Sink } from '../fields.js';
@@ -6,7 +6,7 @@ import { handle, numberField } from './fields.js';
 import type { Course } from './gesture.js';
 import { DEFAULT_CONTROLS, KINDS, wayAt, type Kind } from './profile.js';
 
-/** What the picture shows of the way: room to overshoot and to draw back. */
+/** Lower bound of the displayed path share, with room for overshoot and anticipation. */
 const LOW = -0.35;
 const HIGH = 1.45;
 const WIDTH = 100;
@@ -18,12 +18,12 @@ const toX = (s: number): number => SIDE + s * (WIDTH - 2 * SIDE);
 const toY = (way: number): number => ((HIGH - way) / (HIGH - LOW)) * HEIGHT;
 const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
 const hundredths = (value: number): number => Math.round(value * 100) / 100;
-/** How far from its end a handle of a slope stands, as a share of the time. */
+/** Distance of a slope handle from its end point, as a share of the time. */
 const ARM = 0.25;
 
 export interface CourseField extends Sink<Course | undefined> {
   readonly course: Course | undefined;
-  /** The course by now: keys may come faster than the page is drawn. */
+  /** Returns the current curve: key presses may come faster than the page is rendered. */
   live(): Course | undefined;
 }
 
@@ -33,7 +33,7 @@ interface DragHandle {
   readonly way: number;
   /** The end of the curve that it belongs to. */
   readonly from: readonly [number, number];
-  /** The controls when it is taken there. */
+  /** Returns the controls after dragging the handle there. */
   at(s: number, way: number): readonly number[];
 }
 

@@ -1,4 +1,4 @@
-/** Changes of a text that set what its gestures say. Everything else in the text stays as it was. */
+/** Text edits that change the values of gestures. Everything else in the text is unchanged. */
 
 import {
   EXTENSIONS,
@@ -25,10 +25,10 @@ export const written = (value: number, decimals = 2): string => {
   return text === '-0' ? '0' : text;
 };
 
-/** What hands do in a phase: one of them, the other, both alike, or each its own. */
+/** Hands used in a phase: right, left, both equally, or each separately. */
 export type Handedness = 'right' | 'left' | 'both' | 'apart';
 
-/** The prefix of the extensions, and the change that binds it where the text does not. */
+/** Returns the prefix of the extensions, and the change that declares it if the text does not. */
 function bound({ root, prefix }: Gesture): { prefix: string; changes: Change[] } {
   if (prefix !== undefined || root === undefined) return { prefix: prefix ?? 'r', changes: [] };
   return { prefix: 'r', changes: setAttribute(root, 'xmlns:r', EXTENSIONS) };
@@ -73,14 +73,14 @@ function attributesOf(value: Value, prefix: string): Record<string, string | und
   return {};
 }
 
-/** Sets what keys say. */
+/** Sets the value of keys. */
 export function setValue(gesture: Gesture, keys: readonly Key[], value: Value): Change[] {
   const needs = value.shape?.second !== undefined;
   const { prefix, changes } = needs ? bound(gesture) : { prefix: gesture.prefix ?? 'r', changes: [] };
   return [...changes, ...keys.flatMap((key) => setAttributes(key.element, attributesOf(value, prefix)))];
 }
 
-/** Sets when a key comes, seconds after the start of its phase, written as it was. */
+/** Sets the time of a key, seconds after the start of its phase, in its existing notation. */
 export function setKeyTime(phase: Phase, key: Key, secs: number): Change[] {
   const kept = Math.min(phase.durationSecs, Math.max(0, secs));
   const time = key.written === 'percent' && phase.durationSecs > 0 ? `${written((100 * kept) / phase.durationSecs, 1)}%` : written(kept);
@@ -90,7 +90,7 @@ export function setKeyTime(phase: Phase, key: Key, secs: number): Change[] {
   return [{ from: at, to: at, insert: ` time="${time}"` }];
 }
 
-/** Adds a key, and its track where the hand has none. */
+/** Adds a key, and a track if the hand has none. */
 export function addKey(text: string, gesture: Gesture, phase: Phase, feature: Feature, hand: Hand, secs: number, value: Value, apart: boolean): Change[] {
   const track = trackOf(phase, feature, hand);
   const { prefix, changes } = value.shape?.second === undefined ? { prefix: gesture.prefix ?? 'r', changes: [] } : bound(gesture);
@@ -107,14 +107,14 @@ export function addKey(text: string, gesture: Gesture, phase: Phase, feature: Fe
   return [...changes, ...others, insertInto(text, track.element, key, next?.element)];
 }
 
-/** Takes a key away, and its track with the last one. */
+/** Removes a key, and its track with the last one. */
 export function removeKey(text: string, phase: Phase, track: Track, key: Key): Change[] {
   if (track.keys.length === 1) return [removeElement(text, track.element)];
   const others = track.keys.filter((k) => k !== key && k.written === 'nothing').flatMap((k) => setKeyTime(phase, k, k.secs));
   return [...others, removeElement(text, key.element)];
 }
 
-/** Sets the course to a key, or of a track whose keys have none of their own. */
+/** Sets the timing curve of a key, or of a track whose keys have none of their own. */
 export function setCourse(gesture: Gesture, of: Key | Track, course: Course | undefined): Change[] {
   return setExtension(gesture, of.element, {
     interpolation: course?.kind,
@@ -126,7 +126,7 @@ export const setSpace = (gesture: Gesture, track: Track, space: Track['space']):
 
 export const setPhase = (gesture: Gesture, phase: Phase, name: PhaseName | undefined): Change[] => setExtension(gesture, phase.element, { phase: name });
 
-/** Sets the length of a phase; keys written in seconds keep their share of it. */
+/** Sets the length of a phase; keys in seconds keep their share of it. */
 export function setDuration(phase: Phase, secs: number): Change[] {
   const duration = Math.max(0.05, secs);
   const ratio = phase.durationSecs > 0 ? duration / phase.durationSecs : 1;
@@ -139,16 +139,16 @@ export function setStart(phase: Phase, secs: number): Change[] {
   return setAttribute(phase.element, 'time', written(Math.max(0, secs)));
 }
 
-/** Whether a phase follows the one before by itself. */
+/** Returns true if a phase automatically follows the previous one. */
 export const inSequence = (phase: Phase): boolean => phase.element.parent?.name === 'seq';
 
-/** The plain seconds of its own `time`; undefined for an expression with names. */
+/** Returns its own `time` in plain seconds; undefined for an expression with names. */
 export function ownTime(phase: Phase): number | undefined {
   const time = attribute(phase.element, 'time') ?? '0';
   return /^\s*(\d+\.?\d*|\.\d+)s?\s*$/.test(time) ? Number.parseFloat(time) : undefined;
 }
 
-/** Has other hands do a phase. What the right hand did the left does mirrored, and the other way round. */
+/** Changes the hands of a phase. Movements of the right hand are mirrored for the left, and vice versa. */
 export function setHands(text: string, gesture: Gesture, phase: Phase, wanted: Handedness): Change[] {
   const { prefix } = gesture;
   const changes = setAttribute(phase.element, 'handedness', wanted === 'apart' ? 'both' : wanted);
@@ -179,7 +179,7 @@ export function setHands(text: string, gesture: Gesture, phase: Phase, wanted: H
   return changes;
 }
 
-/** A track again for the other hand, mirrored; its other attributes are kept. */
+/** Copies a track to the other hand, mirrored; its other attributes are preserved. */
 function copyTrack(text: string, phase: Phase, track: Track, hand: Hand, prefix: string | undefined): Change {
   const { element } = track;
   const keep = (e: Element, drop: readonly string[]) =>
@@ -198,7 +198,7 @@ function copyTrack(text: string, phase: Phase, track: Track, hand: Hand, prefix:
   return insertInto(text, phase.element, `<${element.name} hand="${hand}"${keep(element, ['hand'])}>\n${keys.join('\n')}\n</${element.name}>`, following);
 }
 
-/** A new phase after another, or at the end of the body; `like` gives it hands. */
+/** Adds a phase after another, or at the end of the body; `like` provides its hands. */
 export function addPhase(text: string, gesture: Gesture, name: PhaseName, after: Phase | undefined): Change[] {
   const { body } = gesture;
   const { prefix, changes } = bound(gesture);

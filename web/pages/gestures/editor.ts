@@ -1,7 +1,6 @@
 /**
- * The text, and its history: controls change the text, so that one list of steps undoes both.
- * CodeMirror puts its style sheets into the shadow root that it lives in, which a strict policy
- * allows; into a document it would put a style element, which the policy refuses.
+ * Text editor with its history: controls edit the text, so one undo list covers both. CodeMirror adds its style sheets to its shadow root, which a strict
+ * policy allows; in a document it would add a style element, which the policy forbids.
  */
 
 import { defaultKeymap, history, historyKeymap, redo, redoDepth, undo, undoDepth } from '@codemirror/commands';
@@ -47,19 +46,19 @@ const colours = HighlightStyle.define([
   { tag: tags.invalid, color: '#ff9e85' },
 ]);
 
-/** This change came from a control: it goes on with the step before, or it begins one. */
+/** Annotation of changes made by a control: true continues the previous undo step, false begins one. */
 const goesOn = Annotation.define<boolean>();
-/** Who stops typing for longer begins another step. */
+/** Typing pause that begins a new undo step. */
 const TYPING_PAUSE_MS = 700;
 
-/** Which changes are one step: those of a control that moves, and typing without a pause. */
+/** Grouping of changes into undo steps: the movement of a control, or typing without a pause. */
 class Steps {
   #typedAt = -Infinity;
 
-  /** Whether a change belongs to the step before. */
+  /** Returns true if a change belongs to the previous step. */
   readonly join = (transaction: Transaction, adjacent: boolean): boolean => transaction.annotation(goesOn) ?? (adjacent && timeOf(transaction) - this.#typedAt < TYPING_PAUSE_MS);
 
-  /** Takes note of a change that was made. */
+  /** Records a change. */
   note(transaction: Transaction): void {
     if (transaction.docChanged) this.#typedAt = transaction.annotation(goesOn) === undefined ? timeOf(transaction) : -Infinity;
   }
@@ -68,8 +67,8 @@ class Steps {
 const timeOf = (transaction: Transaction): number => transaction.annotation(Transaction.time) ?? 0;
 
 /**
- * Text typed over a selection. Left to itself Chromium gives it the look of what it replaces as
- * an inline style, which the policy refuses with a complaint.
+ * Handles text typed over a selection. By default Chromium copies the look of the replaced text as an inline style, which the policy forbids with an error
+ * message.
  */
 function typedOver(event: InputEvent, view: EditorView): boolean {
   const { data, inputType, isComposing } = event;
@@ -78,11 +77,11 @@ function typedOver(event: InputEvent, view: EditorView): boolean {
   return true;
 }
 
-/** What the editor tells the page. */
+/** Events from the editor to the page. */
 export interface EditorEvents {
   /** The text is another one now. */
   text(text: string): void;
-  /** There is a story in the history again, or none any more. */
+  /** Called when undo or redo becomes available or unavailable. */
   moved(): void;
 }
 
@@ -176,7 +175,7 @@ export class Editor {
     if (changes.length > 0) this.#view.dispatch({ changes: [...changes], annotations: goesOn.of(on) });
   }
 
-  /** Marks problems at their places. */
+  /** Marks problems at their positions. */
   show(diagnostics: readonly Diagnostic[]): void {
     const marks = diagnostics.flatMap(({ start, end, severity, message, hints }): Mark[] => {
       if (start === undefined) return [];
@@ -193,14 +192,14 @@ export class Editor {
     return Math.min(found.to, found.from + columnUtf16 - 1);
   }
 
-  /** Puts the cursor at a place and the place into view. */
+  /** Moves the cursor to a position and scrolls it into view. */
   goTo(place: Place): void {
     const at = this.#at(place);
     this.#view.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: 'center' }) });
     this.#view.focus();
   }
 
-  /** Brings a place of the text into view within the editor; page and focus stay where they are. */
+  /** Scrolls a position of the text into view within the editor; page scroll and focus do not change. */
   reveal(at: number): void {
     const { scrollDOM } = this.#view;
     const { top, bottom } = this.#view.lineBlockAt(Math.min(at, this.#view.state.doc.length));

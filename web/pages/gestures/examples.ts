@@ -6,7 +6,7 @@ import type { PhaseName } from './gesture.js';
 type Point = readonly [x: number, y: number, z: number];
 /** An angle about a normal. */
 type Palm = readonly [a: number, x: number, y: number, z: number];
-/** The keys of a track by their times; a lone one without a time stands for itself. */
+/** Keys of a track by time; a single one without a time is given directly. */
 type Keys<T> = T | Readonly<Record<string, T>>;
 
 /** One clause of an example. */
@@ -18,12 +18,12 @@ interface Step {
   readonly shapes?: Keys<number>;
   readonly palms?: Keys<Palm>;
   readonly places?: Keys<Point>;
-  /** How palms and places go from key to key; with controls it is of the places alone. */
+  /** Timing curve between the keys of palms and positions; with controls it applies only to positions. */
   readonly course?: string;
   readonly controls?: string;
 }
 
-/** When the first clause begins: no earlier than an arm can be there, so that the player delays nothing. */
+/** Start of the first clause: late enough for an arm to arrive, so that the player adds no delay. */
 const BEGIN_SECS = 0.9;
 
 function track<T>(

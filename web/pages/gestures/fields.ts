@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { Directive, directive, type ElementPart } from 'lit/directive.js';
 import { follow, keySteps, vars, type NumberField } from '../fields.js';
 
-/** Shows a number in an input, unless it is there already in other letters: who types `1.50` keeps the zero. */
+/** Directive that shows a number in an input, unless the same number is there in another notation: a typed `1.50` keeps its zero. */
 const shows = directive(
   class extends Directive {
     override update(part: ElementPart, [value]: [number]): void {
@@ -19,7 +19,7 @@ const shows = directive(
 
 const round = (value: number): number => Number(value.toFixed(3));
 
-/** A slider with its number beside it. The number may go beyond the slider's ends. */
+/** Renders a slider with a number field. The number may exceed the slider's range. */
 export function numberField(field: NumberField): TemplateResult {
   const { label, value, min, max, step, unit = '', text } = field;
   const take = (event: Event): void => {
@@ -36,13 +36,13 @@ export function numberField(field: NumberField): TemplateResult {
 
 /** A handle that is dragged, or moved with the arrow keys. */
 export interface Handle {
-  /** What a screen reader says. */
+  /** Label for screen readers. */
   readonly label: string;
   readonly classes: string;
-  /** Where it is, percent of its frame. */
+  /** Horizontal position, percent of its frame. */
   readonly left: number;
   readonly top: number;
-  /** Where it was taken to: pixels of the frame, from its upper left corner. */
+  /** Called with the dragged position: pixels of the frame, from its upper left corner. */
   drag(spot: { x: number; y: number }, frame: DOMRect, event: PointerEvent): void;
   /** A key; true when it was used. Steps are 1, or 5 with the shift key. */
   key(right: number, up: number, ahead: number): boolean;

@@ -1,21 +1,21 @@
-/** What the gestures of a text say, with their places in the text: the form is drawn from this. */
+/** Model of the gestures in a text, with their positions in it; the form is rendered from it. */
 
 import { attribute, within, type Element } from '../source.js';
 import { parseSecs, timesOf } from './time.js';
 
-/** The namespace of what GEVH's own syntax cannot say. */
+/** Namespace of extensions to GEVH's own syntax. */
 export const EXTENSIONS = 'urn:raconteur:eml:1';
 
 export type Hand = 'right' | 'left';
 export const HANDS: readonly Hand[] = ['right', 'left'];
 
-/** The features of a hand: its shape, where its palm looks, where its wrist is. */
+/** Features of a hand: its handshape, the orientation of its palm, the position of its wrist. */
 export type Feature = 'shape' | 'palm' | 'place';
 export const FEATURES: readonly Feature[] = ['shape', 'palm', 'place'];
 /** The elements of the features' tracks. */
 export const TRACK_NAMES: Readonly<Record<Feature, string>> = { shape: 'hand-shapes', palm: 'palms', place: 'motion' };
 
-/** The phases of a gesture (GEVH appendix C) and what people call them. */
+/** Phases of a gesture (GEVH appendix C) and their labels. */
 export const PHASES = {
   preparation: 'Preparation',
   prestroke: 'Pre-stroke hold',
@@ -26,7 +26,7 @@ export const PHASES = {
 } as const;
 export type PhaseName = keyof typeof PHASES;
 
-/** How a hand moves to a key. */
+/** Timing curve of a hand's movement to a key. */
 export interface Course {
   readonly kind: 'linear' | 'cosine' | 'bezier' | 'hermite';
   /** Bézier: x and y of two control points; Hermite: the slopes at both ends. */
@@ -36,7 +36,7 @@ export interface Course {
 /** EML's coordinates: x to the speaker's left, y up, z to the back. */
 export type Vector3 = readonly [number, number, number];
 
-/** What a key says; which of the parts are there is the track's matter. */
+/** Value of a key; the parts present depend on the track. */
 export interface Value {
   readonly shape?: { readonly id: number; readonly second?: number; readonly weight: number };
   readonly palm?: { readonly normal: Vector3; readonly angle: number };
@@ -47,7 +47,7 @@ export interface Key {
   readonly element: Element;
   /** Seconds after the start of its phase. */
   readonly secs: number;
-  /** How its time is written. */
+  /** Notation of its time. */
   readonly written: 'seconds' | 'percent' | 'nothing';
   readonly value: Value;
   readonly course: Course | undefined;
@@ -56,9 +56,9 @@ export interface Key {
 export interface Track {
   readonly element: Element;
   readonly feature: Feature;
-  /** The hand it is for; undefined for every hand that takes part. */
+  /** Hand of the track; undefined for every hand used. */
   readonly hand: Hand | undefined;
-  /** Whether places count from the floor of the scene rather than from the speaker's pelvis. */
+  /** True if positions are relative to the floor of the scene instead of the speaker's pelvis. */
   readonly world: boolean;
   readonly space: 'cartesian' | 'joint' | undefined;
   readonly course: Course | undefined;
@@ -69,7 +69,7 @@ export interface Track {
 export interface Phase {
   readonly element: Element;
   readonly name: PhaseName | undefined;
-  /** Seconds from the start of the text; undefined where it hangs on something that only the player knows. */
+  /** Start in seconds from that of the text; undefined if it depends on data known only to the player. */
   readonly startSecs: number | undefined;
   readonly durationSecs: number;
   readonly hands: 'right' | 'left' | 'both';
@@ -80,12 +80,12 @@ export interface Gesture {
   /** The `eml` element; undefined for a text without one. */
   readonly root: Element | undefined;
   readonly body: Element | undefined;
-  /** The prefix of the extensions; undefined where the text does not bind it. */
+  /** Prefix of the extensions; undefined if the text does not declare it. */
   readonly prefix: string | undefined;
   readonly phases: readonly Phase[];
 }
 
-/** A number of an attribute; undefined where there is none. */
+/** Returns the number of an attribute; undefined if there is none. */
 function numberOf(element: Element, name: string): number | undefined {
   const written = attribute(element, name)?.trim();
   if (written === undefined || !/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(written)) return undefined;
@@ -169,9 +169,8 @@ export function gestureOf(top: readonly Element[]): Gesture {
 }
 
 /**
- * Seconds of keys by their attributes: seconds, percent of the duration, or nothing, which spreads
- * them evenly between their neighbours. A lone key without a time lies at the start, or at the end
- * of a phase that goes somewhere.
+ * Returns the times of keys in seconds from their attributes: seconds, percent of the duration, or nothing, which spaces them evenly between their neighbours.
+ * A single key without a time lies at the start, or at the end of a phase that moves to a target.
  */
 function spread(written: readonly (string | undefined)[], durationSecs: number, goesThere: boolean): number[] {
   const secs = written.map((time) => {
@@ -193,7 +192,7 @@ function spread(written: readonly (string | undefined)[], durationSecs: number, 
   return secs.map((s) => s ?? 0);
 }
 
-/** Whether the hands differ: some track is for one of them. */
+/** Returns true if the hands differ: some track is for one of them. */
 export const toldApart = (phase: Phase): boolean => phase.hands === 'both' && phase.tracks.some((track) => track.hand !== undefined);
 
 /** The track of a hand for a feature: its own, else the common one. */
@@ -203,7 +202,7 @@ export function trackOf(phase: Phase, feature: Feature, hand: Hand): Track | und
   return tracks.find((track) => track.hand === hand) ?? tracks.find((track) => track.hand === undefined);
 }
 
-/** Whether a hand does the mirror image of what its track says (GEVH D.5.4: the dominant hand is the right). */
+/** Returns true if a hand performs the mirror image of its track (GEVH D.5.4: the dominant hand is the right). */
 export const mirrored = (phase: Phase, track: Track, hand: Hand): boolean => phase.hands === 'both' && track.hand === undefined && hand === 'left';
 
 /** The same on the other side of the body. */
@@ -216,12 +215,12 @@ export function mirror(value: Value): Value {
   };
 }
 
-/** Moments nearer than this are one, seconds. */
+/** Difference below which times count as equal, seconds. */
 const SAME_SECS = 0.005;
 
 /**
- * The key and those of other phases that say the same at the same moment: where one phase ends
- * the next begins (GEVH appendix C), so they are moved together.
+ * Returns the key and those of other phases with the same value at the same time: each phase begins where the previous ends (GEVH appendix C), so they move
+ * together.
  */
 export function joined({ phases }: Gesture, phase: Phase, feature: Feature, hand: Hand, key: Key): Key[] {
   const { startSecs } = phase;

@@ -1,12 +1,12 @@
 /**
- * Numbers of lines as part of the lines. CodeMirror's own stand in a gutter, at heights that it guesses while the editor
- * is out of sight: where lines wrap, on a phone, they drift from their lines.
+ * Line numbers inside the lines. CodeMirror's own are in a gutter, at heights estimated while the editor is out of view: with wrapped lines, on a phone, they
+ * drift from their lines.
  */
 
 import { RangeSetBuilder, type Extension } from '@codemirror/state';
 import { Decoration, type DecorationSet, EditorView, ViewPlugin } from '@codemirror/view';
 
-/** Numbers the lines that are drawn. */
+/** Numbers the rendered lines. */
 function numbered(view: EditorView): DecorationSet {
   const { doc } = view.state;
   const builder = new RangeSetBuilder<Decoration>();

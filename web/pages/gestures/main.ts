@@ -14,7 +14,7 @@ import { panels } from './panels.js';
 import { difference } from '../source.js';
 import { timeline } from './timeline.js';
 
-/** Who can be on stage. */
+/** Figures available on stage. */
 const FIGURES: Readonly<Record<string, string>> = {
   sofia: 'Sofia',
   papous: 'Papous',
@@ -24,7 +24,7 @@ const FIGURES: Readonly<Record<string, string>> = {
   lia: 'Lia',
 };
 const SPEEDS = [0.5, 1, 1.5];
-/** From where the stage is seen, with room for a raised hand where the picture is narrow, too; the first is where the audience sits. */
+/** Views of the stage, with room for a raised hand even in a narrow image; the first is the audience's. */
 const SIDES: Readonly<Record<string, View | undefined>> = {
   'From the front': undefined,
   'From near by': { turn: 0, tilt: 0.05, zoom: 1.6, right: 0, up: 0.36 },
@@ -32,7 +32,7 @@ const SIDES: Readonly<Record<string, View | undefined>> = {
   'From its right': { turn: -Math.PI / 2, tilt: 0.05, zoom: 1.7, right: 0.1, up: 0.36 },
   'From above': { turn: 0, tilt: 1.35, zoom: 1.55, right: 0, up: 0.3 },
 };
-/** A look that is none: the shot again. */
+/** Invalid view that restores the shot. */
 const NO_VIEW: View = { turn: NaN, tilt: NaN, zoom: NaN, right: NaN, up: NaN };
 /** Problems that are listed; the rest is counted. */
 const MAX_PROBLEMS = 8;
@@ -67,7 +67,7 @@ function say(text: string): void {
   places.status.textContent = text;
 }
 
-/** Puts another text in the place of the whole; it can be undone. */
+/** Replaces the whole text; can be undone. */
 function replace(text: string, name: string): void {
   const change = difference(app.editor.text, text);
   if (change === undefined) return;
@@ -171,7 +171,7 @@ async function openPalms(): Promise<void> {
 }
 player.addEventListener('loadedmetadata', () => void openPalms());
 
-/** Opens the stage and shows the moment that is edited. */
+/** Opens the stage and shows the edited time. */
 async function open(): Promise<void> {
   draw();
   remember(app.editor.text);

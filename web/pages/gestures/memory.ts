@@ -1,8 +1,8 @@
-/** What a reload must not lose: it stays with the tab. */
+/** Storage key of the text, which survives a reload in the same tab. */
 
 const KEY = 'raconteur.gestures';
 
-/** Keeps a text, where the browser lets a page keep anything. */
+/** Stores a text, if the browser provides storage. */
 export function remember(text: string): void {
   try {
     sessionStorage.setItem(KEY, text);
@@ -11,7 +11,7 @@ export function remember(text: string): void {
   }
 }
 
-/** The text that was kept. */
+/** Returns the stored text. */
 export function remembered(): string | undefined {
   try {
     return sessionStorage.getItem(KEY) ?? undefined;

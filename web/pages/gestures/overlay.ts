@@ -1,4 +1,4 @@
-/** What lies over the picture: where the wrists go, and the handle that moves the place that is edited. */
+/** Overlay on the picture: the paths of the wrists, and the handle of the edited position. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { along, type PoseNow, type ScreenPoint, type Vector } from '../../element/engine/pose.js';
@@ -6,19 +6,19 @@ import type { App } from './app.js';
 import { handle } from './fields.js';
 import { mirror, mirrored, trackOf, HANDS, type Track, type Vector3 } from './gesture.js';
 
-/** A place of EML in the world, metres. */
+/** Converts an EML position to the world, metres. */
 export function toWorld({ origin, metresPerUnit }: PoseNow, [x, y, z]: Vector3, world: boolean): Vector {
   const [ox, oy, oz] = world ? [0, 0, 0] : origin;
   return [ox + x * metresPerUnit, oy + y * metresPerUnit, oz - z * metresPerUnit];
 }
 
-/** The place of EML of a point in the world. */
+/** Converts a point in the world to an EML position. */
 export function toPlace({ origin, metresPerUnit }: PoseNow, [x, y, z]: Vector, world: boolean): Vector3 {
   const [ox, oy, oz] = world ? [0, 0, 0] : origin;
   return [(x - ox) / metresPerUnit, (y - oy) / metresPerUnit, (oz - z) / metresPerUnit];
 }
 
-/** The axis of the world nearest to a direction: who drags in a picture from the front means left and up, not a little nearer as well. */
+/** Returns the world axis nearest to a direction: dragging in a frontal view means left and up, without a small change in depth. */
 function nearestAxis(direction: Vector): Vector {
   const sizes = direction.map(Math.abs);
   const most = sizes.indexOf(Math.max(...sizes));
@@ -28,7 +28,7 @@ function nearestAxis(direction: Vector): Vector {
 
 const tenths = (place: Vector3): Vector3 => [Math.round(place[0] * 10) / 10, Math.round(place[1] * 10) / 10, Math.round(place[2] * 10) / 10];
 
-/** The wrist's place now, in EML's coordinates: what a new key begins with. */
+/** Returns the current wrist position, in EML coordinates: the initial value of a new key. */
 export function wristNow(app: App, world: boolean): Vector3 | undefined {
   const wrist = app.pose?.joints.find((joint) => joint.name === `bone_${app.hand === 'left' ? 'l' : 'r'}_wrist`);
   return wrist && app.pose && tenths(toPlace(app.pose, wrist.position, world));
@@ -59,7 +59,7 @@ export function overlay(app: App): TemplateResult | typeof nothing {
   return html`<svg viewBox="0 0 ${width} ${height}" aria-hidden="true">${paths}</svg>${grips}`;
 }
 
-/** The handle of one place; the one that is edited is the larger. */
+/** Renders the handle of a position; the edited one is larger. */
 function grip(app: App, pose: PoseNow, track: Track, index: number, spot: (place: Vector3, world: boolean) => ScreenPoint | undefined): TemplateResult | typeof nothing {
   const key = track.keys[index];
   const place = key?.value.place;
@@ -67,7 +67,7 @@ function grip(app: App, pose: PoseNow, track: Track, index: number, spot: (place
   if (key === undefined || place === undefined || at === undefined) return nothing;
   const { clientWidth: width, clientHeight: height } = app.player;
   const mine = (): boolean => index === app.keyIndex('place');
-  /** Where it is by now: keys may come faster than the page is drawn. */
+  /** Returns the current position: key presses may come faster than the page is rendered. */
   const live = (): Vector3 => app.track('place')?.keys[index]?.value.place ?? place;
   const set = (to: Vector3): void => app.setValue('place', { place: tenths(to) }, index);
   return handle({

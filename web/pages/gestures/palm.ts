@@ -1,20 +1,19 @@
 /**
- * Where a palm looks: the normal and angle of EML as directions of the hand, and back. The engine
- * computes both (`crate/web/src/palm.rs`; GEVH 3.5.1), so that the page and the performance agree.
- * Engine axes: x to the character's left, y up, z to the front.
+ * Palm orientation: conversion between EML's normal and angle and directions of the hand. The engine computes both (`crate/web/src/palm.rs`; GEVH 3.5.1), so
+ * that the page and the performance agree. Engine axes: x to the character's left, y up, z to the front.
  */
 
 import { openInstance, type PalmFunctions } from '../../element/engine/backend.js';
 import type { Backend } from '../../element/base/types.js';
 import type { Hand, Vector3 } from './gesture.js';
 
-/** An orientation of a hand: where the palm looks and where the fingers point, unit vectors square to each other. */
+/** Hand orientation: directions of the palm and of the fingers, orthogonal unit vectors. */
 export interface HandDirections {
   readonly normal: Vector3;
   readonly fingers: Vector3;
 }
 
-/** What a normal without direction counts as: to the front, in EML's axes. */
+/** Replacement for a zero normal: to the front, in EML's axes. */
 const FRONT: Vector3 = [0, 0, -1];
 
 const triple = (numbers: ArrayLike<number>, at: number): Vector3 => [numbers[at] ?? 0, numbers[at + 1] ?? 0, numbers[at + 2] ?? 0];

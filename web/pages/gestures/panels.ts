@@ -78,7 +78,7 @@ function panel(app: App, phase: Phase): TemplateResult {
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** Which of two hands is edited, where each has its own. */
+/** Renders the choice of the edited hand, if each has its own track. */
 function hands(app: App, phase: Phase): TemplateResult | typeof nothing {
   return toldApart(phase) ? choice('hand', 'Hand', app.hand, { right: 'Right', left: 'Left' }, (hand) => (app.hand = hand)) : nothing;
 }
@@ -104,7 +104,7 @@ function keyRow(app: App, phase: Phase, feature: Feature, key: Key): TemplateRes
   </div>`;
 }
 
-/** What a new key begins with: what the hand does now. */
+/** Returns the initial value of a new key: the current state of the hand. */
 function valueNow(app: App, feature: Feature): Value {
   const near =
     app.key(feature)?.value ??
@@ -177,10 +177,10 @@ function shapePanel(app: App, key: Key): TemplateResult {
     })}`;
 }
 
-/** Where a palm looks most often, as the speaker stands; EML's axes. */
+/** Common palm directions, relative to the speaker; EML's axes. */
 const WAYS: Readonly<Record<string, Vector3>> = { Front: [0, 0, -1], Back: [0, 0, 1], Up: [0, 1, 0], Down: [0, -1, 0], Left: [1, 0, 0], Right: [-1, 0, 0] };
 
-/** The palm on its ball, and where it looks in words. */
+/** Renders the palm on its ball, and its direction in words. */
 function onBall(app: App, palms: Palms, palm: NonNullable<Value['palm']>, set: (normal: Vector3, angle: number) => void): TemplateResult {
   const { hand } = app;
   const directions = palms.directionsOf(hand, palm.normal, palm.angle);
@@ -259,7 +259,7 @@ function placePanel(app: App, key: Key): TemplateResult {
     ${app.player.paused && app.pose !== undefined ? reached(app, key) : nothing}`;
 }
 
-/** How near the hand comes, where the arm is too short. */
+/** Reports the distance of the hand from its target if the arm is too short. */
 function reached(app: App, key: Key): TemplateResult | typeof nothing {
   const target = app.pose?.targets.find((t) => t.name === `${app.hand}Arm`);
   const start = app.phase?.startSecs;
@@ -305,7 +305,7 @@ function coursePanel(app: App): TemplateResult {
     }`;
 }
 
-/** The first key of a stroke is where it begins: the way there is the preparation's. */
+/** Returns a note for the first key of a stroke, which is its start: the path to it belongs to the preparation. */
 function firstWords(app: App, feature: Feature): string | undefined {
   const { name } = app.phase ?? {};
   const stroke = name === undefined || name === 'stroke';

@@ -1,17 +1,17 @@
-/** Courses as functions from a share of time to a share of the way, as `crate/base/src/profile.rs` has them. */
+/** Timing curves as functions from a share of time to a share of the path, as in `crate/base/src/profile.rs`. */
 
 import type { Course } from './gesture.js';
 
-/** The kinds and what people call them; `natural` leaves the pace to the storyteller. */
+/** Kinds of curves and their labels; `natural` leaves the timing to the storyteller. */
 export const KINDS = { natural: 'Natural', linear: 'Linear', cosine: 'Cosine', bezier: 'Bézier', hermite: 'Hermite' } as const;
 export type Kind = keyof typeof KINDS;
 
-/** What a kind begins with when it is chosen. */
+/** Initial controls of a newly chosen kind. */
 export const DEFAULT_CONTROLS: Readonly<Record<Course['kind'], readonly number[]>> = { linear: [], cosine: [], bezier: [0.4, 0, 0.2, 1], hermite: [0, 0] };
 
 const cubic = (a: number, b: number, u: number): number => u * (3 * (1 - u) * ((1 - u) * a + u * b) + u * u);
 
-/** The share of the way at a share of the time. */
+/** Returns the share of the path at a share of the time. */
 export function wayAt(course: Course | undefined, s: number): number {
   const [a = 0, b = 0, c = 0, d = 0] = course?.controls ?? [];
   switch (course?.kind) {

@@ -1,4 +1,4 @@
-/** How a palm on a ball turns when the ball is rolled, and when it is turned by its rim. */
+/** Rotation of a palm by rolling its ball, and by turning its rim. */
 
 import { along, cross, dot, unit } from '../../element/engine/pose.js';
 import type { Vector3 } from './gesture.js';
@@ -13,7 +13,7 @@ function turned(v: Vector3, axis: Vector3, angle: number): Vector3 {
   return along(beside, axis, dot(axis, v) * (1 - cos));
 }
 
-/** Turns a hand as a ball is turned by a finger that moves over it, in shares of its radius to the right and up as the audience sees it. */
+/** Rotates a hand like a ball rolled by a finger, in shares of its radius to the right and up in the audience's view. */
 export function roll({ normal, fingers }: HandDirections, right: number, up: number): HandDirections {
   const amount = Math.hypot(right, up);
   if (amount === 0) return { normal, fingers };
@@ -25,7 +25,7 @@ export function roll({ normal, fingers }: HandDirections, right: number, up: num
   return { normal: n, fingers: unit(along(f, n, -dot(n, f))) };
 }
 
-/** Turns a hand about the line of sight, radians, against the clock as the audience sees it. */
+/** Rotates a hand about the line of sight, radians, counterclockwise in the audience's view. */
 export function twist({ normal, fingers }: HandDirections, angle: number): HandDirections {
   const sight: Vector3 = [0, 0, 1];
   return { normal: turned(normal, sight, angle), fingers: turned(fingers, sight, angle) };

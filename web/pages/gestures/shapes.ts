@@ -1,16 +1,16 @@
-/** The 61 hand shapes: their names and pictures, and a picker of them. */
+/** The 61 handshapes: their names and images, and a picker. */
 
 import { html, type TemplateResult } from 'lit';
 import { vars } from '../fields.js';
 import { SHAPE_NAMES } from './shape-names.js';
 
-/** Pictures to a row of the sheet. */
+/** Number of images per row of the sheet. */
 const COLUMNS = 8;
 const ROWS = Math.ceil(SHAPE_NAMES.length / COLUMNS);
 
 export const shapeName = (id: number): string => SHAPE_NAMES[id] ?? 'unknown shape';
 
-/** The picture of a hand shape. */
+/** Renders the image of a handshape. */
 export function shapePicture(id: number): TemplateResult {
   const [column, row] = [id % COLUMNS, Math.floor(id / COLUMNS)];
   return html`<span class="picture" ${vars({ '--x': `${(100 * column) / (COLUMNS - 1)}%`, '--y': `${(100 * row) / (ROWS - 1)}%` })}></span>`;

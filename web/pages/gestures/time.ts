@@ -1,19 +1,19 @@
 /**
- * When the clauses of a text begin, as far as the text alone tells. The parser in the wasm files is not asked: it guesses how long
- * speech takes, and a guess has no place on the timeline.
+ * Start times of a text's clauses, as far as they follow from the text alone. The wasm parser is not used: it estimates the duration of speech, and an
+ * estimate must not appear on the timeline.
  */
 
 import { attribute, type Element } from '../source.js';
 
 const UNITS: Readonly<Record<string, number>> = { '': 1, s: 1, m: 60, h: 3600 };
 
-/** Seconds of a plain length such as `2`, `0.5s` or `1m`; undefined for anything else. */
+/** Parses a plain duration such as `2`, `0.5s` or `1m` to seconds; undefined for anything else. */
 export function parseSecs(written: string): number | undefined {
   const [, number, unit = ''] = /^\s*(\d+\.?\d*|\.\d+)\s*([smh]?)\s*$/.exec(written) ?? [];
   return number === undefined ? undefined : Number(number) * (UNITS[unit] ?? 1);
 }
 
-/** A time expression: seconds, and whether they count from a named moment. */
+/** Evaluates a time expression: seconds, and true if it is relative to a named mark. */
 function evaluate(written: string, moments: ReadonlyMap<string, number>): { secs: number; named: boolean } | undefined {
   let secs = 0;
   let named = false;
@@ -36,8 +36,8 @@ function evaluate(written: string, moments: ReadonlyMap<string, number>): { secs
 const LENGTHLESS = new Set(['null', 'event', 'gesture-is-on']);
 
 /**
- * Starts of the clauses in a body, seconds, in the time of the text. What hangs on speech, and
- * what follows something of unknown length in a `seq`, is not in the answer.
+ * Returns the start times of the clauses in a body, seconds, in the time of the text. Clauses that depend on speech, or follow something of unknown length in
+ * a `seq`, are omitted.
  */
 export function timesOf(body: Element): Map<Element, number> {
   const starts = new Map<Element, number>();

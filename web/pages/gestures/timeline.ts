@@ -1,4 +1,4 @@
-/** Phases and keys over time: one sees, selects and drags them; every one of them is a button or a slider, too. */
+/** Timeline of phases and keys, for selection and dragging; every item is also a button or a slider. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { follow, keySteps, vars } from '../fields.js';
@@ -7,7 +7,7 @@ import { inSequence, ownTime, setDuration, setKeyTime, setStart, written } from 
 import { FEATURES, HANDS, PHASES, toldApart, trackOf, type Feature, type Key, type Phase } from './gesture.js';
 import { shapeName } from './shapes.js';
 
-/** Time that is shown after the last phase. */
+/** Time shown after the last phase. */
 const AFTER_SECS = 0.4;
 /** Seconds of an arrow key. */
 const STEP_SECS = 0.05;
@@ -15,7 +15,7 @@ export const LANES: Readonly<Record<Feature, string>> = { shape: 'Shape', palm: 
 
 const seconds = (secs: number): string => `${written(secs)} s`;
 
-/** What a key says, in a few words. */
+/** Returns a short description of a key's value. */
 export function keyInWords(feature: Feature, { value: { shape, palm, place } }: Key): string {
   if (shape !== undefined) return `${shape.id} ${shapeName(shape.id)}${shape.second === undefined ? '' : ` mixed with ${shape.second} ${shapeName(shape.second)}`}`;
   if (palm !== undefined) return `normal ${palm.normal.map((n) => written(n)).join(', ')}, angle ${written(palm.angle, 0)}°`;
@@ -71,7 +71,7 @@ interface Scale {
   secsOf(x: number, width: number): number;
 }
 
-/** A phase and the edges that one drags: its end, and its start where the text gives it in plain seconds. */
+/** Renders a phase with its draggable edges: its end, and its start if the text gives it in plain seconds. */
 function block(app: App, phase: Phase, index: number, start: number, { percent, length, secsOf }: Scale): TemplateResult {
   const name = phase.name === undefined ? 'Gesture' : PHASES[phase.name];
   const chosen = index === app.phaseIndex;

@@ -1,6 +1,6 @@
 /** The code examples of the page, and the buttons that copy them. */
 
-/** A small story; kept here so that its angle brackets stay readable. */
+/** Small example story; stored here so that its angle brackets stay readable. */
 const EXAMPLE = `<eml name="hello">
   <body>
     <gesture-is-on time="0" isOn="true"/>

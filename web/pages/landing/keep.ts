@@ -1,4 +1,4 @@
-/** What was said as a story in a folder: the script and its voice, packed. Fetched with the first that is kept. */
+/** Export of the spoken text as a story folder: script and voice, zipped. Fetched at the first export. */
 
 import { zipSync } from 'fflate';
 import { sourceFor } from '../../speech/here.js';
@@ -7,7 +7,7 @@ import type { SpokenAudio } from '../../speech/source.js';
 /** The folder that a program unpacks. */
 const FOLDER = 'my-story';
 
-/** Packs a script in a language with the voice that a figure has for it; without one where nothing speaks here. */
+/** Packs a script in a language with a figure's voice for it; without one if no engine is available. */
 export async function pack(script: string, figure: string, language: string): Promise<Blob> {
   const text = new TextEncoder();
   const files: Record<string, Uint8Array> = { [`${FOLDER}/story.eml`]: text.encode(script) };

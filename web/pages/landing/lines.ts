@@ -1,4 +1,4 @@
-/** The lines of the story beside the stage, the one that is spoken lit. */
+/** Lines of the story next to the stage, with the spoken one highlighted. */
 
 import { type Caption, captionAt, captionsOf } from '../../element/captions/captions.js';
 import type { PlayerEventMap, RaconteurPlayer } from '../../element/index.js';
@@ -6,17 +6,17 @@ import type { FaceCourse } from '../../element/base/face-types.js';
 import type { Utterance } from '../../element/base/types.js';
 import { corrected, guessed, matches, scriptOf, scriptOfTexts } from './script.js';
 
-/** Where home.css gives the lines a place. */
+/** Media query for the width at which home.css shows the lines. */
 const WIDE = '(min-width: 1280px)';
-/** Who scrolls the lines reads elsewhere: they are left alone for a while. */
+/** Time after the user scrolls the lines during which they do not scroll automatically. */
 const READING_MS = 5000;
 
-/** Where the page shows them. */
+/** Elements of the page for the lines. */
 interface LineElements {
   /** Scrolls. */
   readonly box: HTMLElement;
   readonly list: HTMLElement;
-  /** What is said where there are no lines. */
+  /** Message if there are no lines. */
   readonly note: HTMLElement;
 }
 
@@ -35,15 +35,15 @@ export class Lines {
   readonly #places: LineElements;
   readonly #wide = matchMedia(WIDE);
   readonly #calm = matchMedia('(prefers-reduced-motion: reduce)');
-  /** What the visitor's own text says, while that is on stage. */
+  /** Lines of the visitor's own text, while it is on stage. */
   #own: readonly string[] | undefined;
-  /** By the index that events give. */
+  /** Utterances by the index in events. */
   #script = new Map<number, Utterance>();
   #lines: readonly Caption[] = [];
   #rows: readonly Row[] = [];
   /** The texts of the rows. */
   #drawn = '';
-  /** The story was played or sought: until then nothing is spoken. */
+  /** True if the story was played or sought: before that nothing is spoken. */
   #isBegun = false;
   #current = -1;
   #readsUntilMs = 0;
@@ -61,7 +61,7 @@ export class Lines {
     for (const type of ['wheel', 'touchmove']) places.box.addEventListener(type, () => (this.#readsUntilMs = performance.now() + READING_MS), { passive: true });
   }
 
-  /** The visitor's own text takes the stage, or, without one, the player's story. */
+  /** Sets the visitor's own text, or, without one, the player's story. */
   tell(own: readonly string[] | undefined): void {
     this.#own = own;
     this.#clear();
@@ -74,7 +74,7 @@ export class Lines {
     this.#places.note.textContent = this.#own === undefined ? '' : 'Your words appear here as they are spoken.';
   }
 
-  /** Takes in what the text on stage will say, and when. */
+  /** Reads the utterances of the text on stage, with their times. */
   async #read(): Promise<void> {
     const [own, { src }] = [this.#own, this.#player];
     // Its curves are not needed, only what the mouth goes through.
@@ -91,7 +91,7 @@ export class Lines {
     }
   }
 
-  /** What the bundle of a story says. Without it the lines come as they are spoken. */
+  /** Fetches the utterances of a story's bundle. Without it the lines appear as they are spoken. */
   async #fetch(src: string, course: FaceCourse): Promise<Utterance[] | undefined> {
     try {
       // The player has fetched it just now, so the browser has it.
@@ -129,7 +129,7 @@ export class Lines {
     if (this.#wide.matches) this.#draw();
   }
 
-  /** Makes the rows anew where other words are said; where only times change, the keyboard's focus stays. */
+  /** Rebuilds the rows if the words have changed; if only times change, the keyboard focus is preserved. */
   #draw(): void {
     const drawn = this.#lines.map(textOf).join('\n');
     if (drawn !== this.#drawn) {
@@ -174,7 +174,7 @@ export class Lines {
     this.#player.currentTime = line.startSecs;
   }
 
-  /** Lights the line and the word that are heard now. A pause belongs to the line before it. */
+  /** Highlights the current line and word. A pause belongs to the preceding line. */
   #light(): void {
     if (!this.#wide.matches) return;
     const secs = this.#player.currentTime;
@@ -191,7 +191,7 @@ export class Lines {
     if (current !== this.#current) this.#show((this.#current = current));
   }
 
-  /** Brings a line into view, the one before it on top, by scrolling the box alone: the page stays where it is. */
+  /** Scrolls a line into view inside the box, with the preceding one on top; the page does not scroll. */
   #show(index: number): void {
     const above = this.#rows[Math.max(0, index - 1)];
     if (index < 0 || above === undefined || performance.now() < this.#readsUntilMs) return;
@@ -203,7 +203,7 @@ export class Lines {
 
 const textOf = ({ words }: Caption): string => words.map((word) => word.text).join(' ');
 
-/** The lines of a player, where the page has a place for them. */
+/** Returns the lines of a player, if the page has an element for them. */
 export function lines(player: RaconteurPlayer): Lines | undefined {
   const box = document.querySelector<HTMLElement>('#lines');
   const list = box?.querySelector('ol');

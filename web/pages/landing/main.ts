@@ -1,4 +1,4 @@
-/** The first page: one player; the story and who tells it are chosen. */
+/** Landing page: one player, with a choice of story and storyteller. */
 
 import '../player.js';
 import './code.js';
@@ -16,15 +16,15 @@ const shown = player === null ? undefined : lines(player);
 
 /** A text of the visitor's own is on the stage. */
 let owned = false;
-/** Who tells it, where the visitor and not the story chooses. */
+/** Storyteller chosen by the visitor, overriding the story's choice. */
 let figure = '';
 
 const address = (story: string): string => `assets/stories/${story}/story.eml`;
 
-/** What the address calls a story: its own folder's name, wherever that is. */
+/** Returns the name of a story in the address: its folder's name. */
 const short = (button: HTMLButtonElement): string => button.dataset['story']?.split('/').at(-1) ?? '';
 
-/** Puts a story on the stage; `#white-rabbit` in the address names one, too, and `#white-rabbit/papous` who tells it. */
+/** Loads a story; an address with `#white-rabbit` selects one too, and `#white-rabbit/papous` also the storyteller. */
 function choose(name: string): void {
   const button = buttons.find((b) => short(b) === name);
   const story = button?.dataset['story'];
@@ -64,7 +64,7 @@ for (const button of buttons) {
 }
 script?.closest('details')?.addEventListener('toggle', () => void readScript());
 
-/** The address names story and figure on stage, so that it can be shared. */
+/** Updates the address with the current story and figure, so that it can be shared. */
 function remember(): void {
   const button = buttons.find((b) => b.getAttribute('aria-pressed') === 'true');
   const story = button === undefined ? '' : short(button);

@@ -1,4 +1,4 @@
-/** "Say it": a sentence of the visitor's own, told on the stage. */
+/** "Say it": speaks a sentence of the visitor's own on the stage. */
 
 import { chooseBackends, openInstance } from '../../element/engine/backend.js';
 import type { RaconteurPlayer } from '../../element/index.js';
@@ -7,22 +7,22 @@ import { showStage } from './stage.js';
 import { Voices } from './voice.js';
 import { save } from '../workbench.js';
 
-/** As long as a text is that somebody types, characters; the field takes no more. */
+/** Maximum length of a typed text, characters; enforced by the field. */
 const MAX_CHARACTERS = 600;
 
-/** Where the address has a text that was shared, and before it its language where that is not English. */
+/** Pattern of a shared text in the address, preceded by its language if that is not English. */
 const SHARED = /^#say(?:\.(de|pt))?=(.*)$/s;
 
 /** The address of a text. */
 const shared = (text: string, language: string): string => `#say${language === 'en' ? '' : `.${language}`}=${encodeURIComponent(text)}`;
 
-/** What goes before a text takes the stage. */
+/** Callbacks before a text takes the stage. */
 interface SayStage {
   /** The chosen story has left the stage, for this script. */
   clear(script: string): void;
 }
 
-/** Lets the form put texts on the stage; whether the address had one. */
+/** Connects the form to the stage; returns true if the address had a text. */
 export function say(player: RaconteurPlayer, { clear }: SayStage): boolean {
   const form = document.querySelector<HTMLFormElement>('#say');
   const field = form?.querySelector('textarea');

@@ -1,46 +1,46 @@
-/** What a story says and when, before it is said: the words of its speech bundle, at the times that the engine has for them. */
+/** Words and times of a story before playback: the words of its speech bundle, at the engine's times. */
 
 import { type Segment, segmentsOf } from '../../element/face/course.js';
 import type { FaceCourse } from '../../element/base/face-types.js';
 import type { Utterance, Word } from '../../element/base/types.js';
 
-/** Of `speech.json` what is read here; docs/speech-bundle.md tells of all. */
+/** Subset of `speech.json` read here; docs/speech-bundle.md describes the whole. */
 interface Bundle {
   readonly voices: readonly { readonly language: string }[];
   readonly utterances: readonly BundledUtterance[];
 }
 
 interface BundledUtterance {
-  /** Its place among the voices. */
+  /** Index of its voice. */
   readonly voice: number;
   readonly text: string;
   /** Lengths of its phones. */
   readonly msecs: readonly number[];
-  /** Where each word lies in the text, in bytes of UTF-8, and among the phones. */
+  /** Position of each word in the text, in bytes of UTF-8, and among the phones. */
   readonly words: readonly (readonly [start: number, bytes: number, firstPhone: number, phones: number])[];
 }
 
-/** Times of the engine come as 32-bit floats: ten minutes are exact to a tenth of a millisecond. */
+/** Tolerance for equal times, seconds: the engine returns 32-bit floats, which are exact to a tenth of a millisecond over ten minutes. */
 const SAME_SECS = 1e-3;
-/** Nobody notices that a line is lit so much too late. */
+/** Imperceptible delay of a highlight. */
 const HEARD_SECS = 0.05;
 
-/** The spoken words of a text; a dash that stands alone is none. */
+/** Returns the spoken words of a text; a lone dash is not a word. */
 const wordsOf = (text: string): string[] => text.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word));
 
 /** The entities of XML. */
 const ENTITIES: Readonly<Record<string, string>> = { amp: '&', lt: '<', gt: '>', apos: "'", quot: '"' };
 
-/** Text of XML as it is read. A parser of the browser takes no text under the page's trusted types. */
+/** Decodes XML text. The browser's parser does not accept strings under the page's trusted types. */
 const read = (text: string): string =>
   text.replace(/&(?:#(\d+)|(\w+));/g, (whole, code?: string, name = '') => (code === undefined ? (ENTITIES[name] ?? whole) : String.fromCodePoint(Number(code))));
 
-/** What a script says that `told` has written, utterance by utterance. */
+/** Returns the utterances of a script written by `told`. */
 export function textsOf(script: string): string[] {
   return [...script.matchAll(/<voice-text\b[^>]*>(.*?)<\/voice-text>/gs)].map(([, said = '']) => read(said.replace(/<[^>]*>/g, '')));
 }
 
-/** Something said of which only its bounds are known: its words share the time by their length. */
+/** Returns an utterance of which only the bounds are known: its words share the time by their length. */
 export function guessed(text: string, startSecs: number, endSecs: number): Utterance {
   const texts = wordsOf(text);
   const whole = texts.reduce((sum, word) => sum + word.length, 0);
@@ -53,20 +53,20 @@ export function guessed(text: string, startSecs: number, endSecs: number): Utter
   return { startSecs, durationSecs: endSecs - startSecs, audio: [], words, estimated: true };
 }
 
-/** The same with one of its words at the time at which it was heard; those after it are no earlier. */
+/** Returns the utterance with one of its words at its actual time; later words start no earlier. */
 export function corrected(utterance: Utterance, index: number, heard: Word): Utterance {
   const later = ({ startSecs, endSecs, ...word }: Word): Word => ({ ...word, startSecs: Math.max(startSecs, heard.endSecs), endSecs: Math.max(endSecs, heard.endSecs) });
   return { ...utterance, words: utterance.words.map((word, i) => (i < index ? word : i === index ? heard : later(word))) };
 }
 
-/** Whether this is what is said, and when. */
+/** Returns true if this utterance has the given text and time. */
 export function matches(known: Utterance, text: string, startSecs: number): boolean {
   return Math.abs(known.startSecs - startSecs) < HEARD_SECS && known.words.map((word) => word.text).join(' ') === wordsOf(text).join(' ');
 }
 
 /**
- * The articulation of each utterance: one begins where the mouth does not go on from the segment before. Its first
- * segment is the silence from which the mouth opens, and ends when the utterance begins.
+ * Returns the articulation of each utterance: one begins where the mouth does not continue from the previous segment. Its first segment is the silence from
+ * which the mouth opens, and ends when the utterance begins.
  */
 function tracksOf(segments: readonly Segment[]): Segment[][] {
   const tracks: Segment[][] = [];
@@ -82,7 +82,7 @@ function tracksOf(segments: readonly Segment[]): Segment[][] {
 
 const sumSecs = (msecs: readonly number[]): number => msecs.reduce((sum, ms) => sum + ms, 0) / 1000;
 
-/** Whether a mouth that goes through a track says this: a phone ends where the utterance does. */
+/** Returns true if an articulation track matches an utterance: a phone ends at its end. */
 function fits(track: readonly Segment[], startSecs: number, { msecs }: BundledUtterance): boolean {
   const endSecs = startSecs + sumSecs(msecs);
   return track.some(({ end }) => Math.abs(end - endSecs) < SAME_SECS);
@@ -98,7 +98,7 @@ function timed({ text, msecs, words }: BundledUtterance, startSecs: number, lang
   return { startSecs, durationSecs: at(msecs.length) - startSecs, audio: [], words: spoken, estimated: false, language };
 }
 
-/** What is said, by the index that events give. A bundle has each text once, in the order in which it is first said; a story may say it again. */
+/** Returns the utterances by the index in events. A bundle contains each text once, in the order of first occurrence; a story may repeat it. */
 export function scriptOf({ utterances, voices }: Bundle, course: FaceCourse): Utterance[] {
   let fresh = 0;
   return tracksOf(segmentsOf(course)).map((track) => {
@@ -112,7 +112,7 @@ export function scriptOf({ utterances, voices }: Bundle, course: FaceCourse): Ut
   });
 }
 
-/** The same for texts that a voice in the page says, as far as it has come: their words are heard later. */
+/** Returns the available utterances of texts spoken by a voice in the page: the times of their words follow during playback. */
 export function scriptOfTexts(texts: readonly string[], course: FaceCourse): Utterance[] {
   // The last segment is the silence to which the mouth closes.
   return tracksOf(segmentsOf(course)).map((track, i) => guessed(texts[i] ?? '', track[0]?.end ?? 0, track.at(-1)?.start ?? 0));

@@ -1,8 +1,8 @@
-/** The stage in sight: what is played from below or above it is not played unseen. */
+/** Keeps the stage in view during playback started from above or below it. */
 
 /**
- * Brings the whole stage into the window, its upper edge on top: what grows above it later, a note on who speaks for
- * example, does not push it out again. How it scrolls, the sheet says, which leaps for people who ask for less motion.
+ * Scrolls the whole stage into view, aligned to its top: content that grows above it later, such as a note about the voice, does not push it out. The style
+ * sheet sets the scroll behaviour, which is instant for users who prefer reduced motion.
  */
 export function showStage(player: HTMLElement): void {
   const { top, bottom } = player.getBoundingClientRect();

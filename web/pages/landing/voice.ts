@@ -1,27 +1,27 @@
-/** Who says the visitor's words: what speaks a language, what it is, and what better voice there is. */
+/** Voice of the visitor's text: the engine for a language, its description, and a better voice, if there is one. */
 
 import type { RaconteurPlayer } from '../../element/index.js';
 import { addSpeechSource } from '../../speech/added.js';
 import { naturalVoice } from '../../speech/natural.js';
 import type { SpeechSource } from '../../speech/source.js';
 
-/** Where `npm run voice` puts the natural voice. */
+/** Folder in which `npm run voice` stores the natural voice. */
 const KOKORO = 'assets/voices/kokoro/';
-/** What it takes. */
+/** Download size of the natural voice, MB. */
 const KOKORO_MB = 92;
 
-/** Where the page tells of voices. */
+/** Elements of the page for voice information. */
 export interface VoiceElements {
-  /** Who speaks, and how much of that is fetched. */
+  /** Current voice, and the progress of its download. */
   readonly note: Element;
-  /** What better voice there is: said once, after the first text. */
+  /** Better voice available: shown once, after the first text. */
   readonly better: HTMLElement;
 }
 
 export class Voices {
   readonly #player: RaconteurPlayer;
   readonly #places: VoiceElements;
-  /** Who speaks, in a sentence. */
+  /** Description of the current voice, in a sentence. */
   #speaks = '';
   #looked = false;
   #natural: SpeechSource | undefined;
@@ -42,25 +42,25 @@ export class Voices {
     places.better.querySelector('button')?.addEventListener('click', () => void this.#use());
   }
 
-  /** Whether a language is said by a voice that takes long. */
+  /** Returns true if the voice of a language is slow. */
   isSlow(language: string): boolean {
     return this.#isNatural && language === 'en';
   }
 
-  /** Says what will speak a language, before anything is fetched. */
+  /** Announces the voice for a language, before anything is fetched. */
   choose(language: string): void {
     this.#places.note.textContent =
       language === 'en' ? '' : 'espeak-ng will speak. It is a separate program under the GPL, version 3 or later, and is fetched once, with the first words.';
   }
 
-  /** Brings what speaks a language, where the page's own voice does not. */
+  /** Fetches the engine for a language if the page's own voice does not speak it. */
   async bring(language: string): Promise<void> {
     if (language === 'en') return;
     const { espeak } = await import('@raconteur/voice-espeak');
     addSpeechSource(espeak);
   }
 
-  /** Tells, once, of the natural voice: that it may be used, or that the page's owner can add it. */
+  /** Announces, once, that the natural voice is available, or that the page's owner can add it. */
   async #lookForBetter(): Promise<void> {
     if (this.#looked) return;
     this.#looked = true;
@@ -70,7 +70,7 @@ export class Voices {
     for (const part of better.querySelectorAll<HTMLElement>('[data-there]')) part.hidden = (part.dataset['there'] === 'true') !== (this.#natural !== undefined);
   }
 
-  /** Fetches the natural voice and has it speak from now on. */
+  /** Fetches the natural voice and uses it from then on. */
   async #use(): Promise<void> {
     const natural = this.#natural;
     if (natural === undefined) return;

@@ -49,13 +49,13 @@ export function animations(app: App): TemplateResult {
     }`;
 }
 
-/** Puts something else on a track; what ends begins anew, else it might be over already. */
+/** Changes a track; a finite animation restarts, otherwise it might already be over. */
 function put(app: App, of: (state: State) => Track, change: Partial<Track>): void {
   app.set((s) => Object.assign(of(s), change));
   if (ends(of(app.state).style)) app.restart();
 }
 
-/** How the animation of a track plays. */
+/** Renders the playback settings of a track's animation. */
 function playing(app: App, name: string, of: (state: State) => Track): TemplateResult {
   const { style, times, speed } = of(app.state);
   return html`<div class="row">

@@ -1,4 +1,4 @@
-/** The viewer's state: its settings, the limb in hand, and from where one looks. */
+/** State of the viewer: its settings, the selected limb, and the view. */
 
 import type { RaconteurPlayer } from '../../element/element.js';
 import type { View } from '../../element/base/types.js';
@@ -16,17 +16,17 @@ export type Tab = 'animations' | 'manipulators' | 'look';
 /** The whole figure from the front, with room for a hand over the head. */
 export const FRONT: View = { turn: 0, tilt: 0.04, zoom: 1.18, right: 0, up: -0.12 };
 
-/** By then the picture shows from where one looks. */
+/** Time after which the picture shows the new view, ms. */
 const SHOWN_MS = 250;
 
 export class App extends PageState<State> {
   tab: Tab = 'animations';
   limb: LimbName = 'rightArm';
   view: View = FRONT;
-  /** What the picture shows; undefined before the first. */
+  /** Pose of the picture; undefined before the first frame. */
   pose: PoseNow | undefined;
   readonly #paces = new JointSpeeds(this.state);
-  /** Of the shot that the view is a look from: how high its middle is and how far the camera, metres. Until it is known, those of somebody of middle height. */
+  /** Reference shot of the view: height of its centre and camera distance, metres. Until known, those of a person of medium height. */
   #shot = { height: 0.9, distance: 5 };
   #lookedMs = -Infinity;
 
@@ -38,7 +38,7 @@ export class App extends PageState<State> {
     super(player, beginning, write);
   }
 
-  /** Leads a limb by a target or its joints, beginning where it is. */
+  /** Controls a limb by a target or by its joints, from its current position. */
   lead(name: LimbName, lead: 'place' | 'joints'): void {
     const limb = this.state.limbs[name];
     this.limb = name;
@@ -49,12 +49,12 @@ export class App extends PageState<State> {
     else limb.joints = jointsNow(this.pose, name) ?? limb.joints;
   }
 
-  /** How near one looks. */
+  /** Zoom of the view. */
   get zoom(): number {
     return this.view.zoom;
   }
 
-  /** Looks from elsewhere. */
+  /** Changes the view. */
   look(view: Partial<View>): void {
     const next = { ...this.view, ...view };
     const zoom = Math.min(8, Math.max(0.6, next.zoom));
@@ -89,7 +89,7 @@ export class App extends PageState<State> {
     this.#shot = { height: target[1] - this.view.up, distance: Math.hypot(...minus(eye, target)) * this.view.zoom };
   }
 
-  /** The figure has moved by itself: only what lies over the picture goes along. */
+  /** Updates only the overlay after the figure has moved by itself. */
   goAlong(): void {
     if (this.drawing) return;
     this.#readPose();

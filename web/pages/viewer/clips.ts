@@ -1,15 +1,15 @@
-/** The animations of the library, by what they are for. */
+/** Animations of the library, by category. */
 
 import clips from 'virtual:clips';
 
 export interface Clip {
   /** The name in EML, and of its file. */
   readonly name: string;
-  /** What it shows, a sentence. */
+  /** Description, one sentence. */
   readonly about: string;
 }
 
-/** Where a clip belongs; the first that fits. */
+/** Categories of clips; the first match applies. */
 const SHELVES: readonly (readonly [string, RegExp])[] = [
   ['Steps', /^(step|walk)/],
   ['Exercise', /^(arms|stretch)-/],
@@ -23,7 +23,7 @@ export const SHELVED: readonly { readonly shelf: string; readonly clips: readonl
   clips: clips.filter(({ name }) => SHELVES.find(([, names]) => names.test(name))?.[0] === shelf),
 }));
 
-/** What an animation shows. */
+/** Returns the description of an animation. */
 export const aboutClip = (name: string): string => clips.find((clip) => clip.name === name)?.about ?? '';
 
 /** `step-march` for people. */

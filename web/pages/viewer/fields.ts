@@ -12,7 +12,7 @@ export function menu<T extends string>(label: string, value: T, options: Readonl
     </select></label>`;
 }
 
-/** A menu of the library's animations, with what the chosen one shows. */
+/** Renders a menu of the library's animations, with the description of the chosen one. */
 export function clipMenu(label: string, value: string, none: string | undefined, choose: (clip: string) => void): TemplateResult {
   return html`<label class="select clip"><span>${label}</span>
     <select aria-label=${label} title=${aboutClip(value)} @change=${(event: Event) => choose((event.target as HTMLSelectElement).value)}>

@@ -1,7 +1,6 @@
 /**
- * The angles of a limb's joints in the pose that the figure has now: those that
- * `body-non-deterministic-fk` takes (GEVH table 3.1; `LimbRig` and `HeadRig` in
- * `crate/actor/src/manipulator`), so that joints are led on from where they are.
+ * Joint angles of a limb in the figure's current pose: the parameters of `body-non-deterministic-fk` (GEVH table 3.1; `LimbRig` and `HeadRig` in
+ * `crate/actor/src/manipulator`), so that joint control continues from the current position.
  */
 
 import { cross, dot, minus, type PosedJoint, type PoseNow, type Vector } from '../../element/engine/pose.js';
@@ -54,10 +53,10 @@ function zeroOf(part: keyof typeof ROWS, left: boolean): Axes {
   return [ours(x), ours(y), cross(ours(x), ours(y))];
 }
 
-/** A limb: its bones, and what about it does not change with the pose. */
+/** Limb: its bones, and the values that do not depend on the pose. */
 class Rig {
   readonly #sign: number;
-  /** Signs that lead from the table's joints to those of EML, which mirror each other. */
+  /** Signs that convert the table's joints to those of EML, which are mirrored. */
   readonly #signs: readonly [number, number, number];
   readonly #linkFromUpper: Axes;
   readonly #lowerFromUpper: Axes;
@@ -84,8 +83,8 @@ class Rig {
   }
 
   /**
-   * Degrees that leave the end of the limb where it is. The seventh joint, the turn of the
-   * upper bone about itself, has no place in EML and counts as 0.
+   * Returns the angles in degrees that preserve the end of the limb. The seventh joint, the axial rotation of the upper bone, does not exist in EML and counts
+   * as 0.
    */
   joints(trunk: PosedJoint, upper: PosedJoint, lower: PosedJoint, end: PosedJoint): number[] {
     const base = times(trunk.axes, back(MIDDLE), about(Z, -QUARTER));
@@ -109,7 +108,7 @@ class Rig {
     return nearest(ways, this.ranges);
   }
 
-  /** Both ways to turn wrist or ankle so. */
+  /** Returns both solutions for the wrist or ankle. */
   #turns([x, y, z]: Axes): number[][] {
     const a = Math.atan2(-z[1], z[2]);
     const b = Math.atan2(z[0], Math.hypot(x[0], y[0]));
@@ -131,7 +130,7 @@ function headJoints(trunk: PosedJoint, neck: PosedJoint, skull: PosedJoint): num
 
 const degrees = (angles: readonly number[]): number[] => angles.map((angle) => Math.round((angle * 180) / Math.PI) || 0);
 
-/** The set of angles that is least beyond what people turn, and of those the one nearest to the neutral pose. */
+/** Returns the set of angles that least exceeds human ranges, and among those the one nearest to the neutral pose. */
 function nearest(sets: readonly (readonly number[])[], ranges: readonly JointRange[]): number[] {
   const cost = (angles: readonly number[]): number =>
     angles.reduce((sum, angle, i) => {
@@ -148,7 +147,7 @@ const RIGS: Readonly<Record<Exclude<LimbName, 'head'>, Rig>> = {
   rightLeg: new Rig(false, false, RANGES.rightLeg),
 };
 
-/** The angles of a limb's joints as it stands now, whole degrees; undefined where the figure lacks a bone. */
+/** Returns the current joint angles of a limb, whole degrees; undefined if the figure lacks a bone. */
 export function jointsNow(pose: PoseNow, name: LimbName): number[] | undefined {
   const [trunk, first, second, third] = bonesOf(pose, name);
   if (!trunk || !first || !second) return undefined;

@@ -1,4 +1,4 @@
-/** The panel of looks: what of the figure is drawn (GEVH D.3.4). */
+/** Panel of display options: rendered parts of the figure (GEVH D.3.4). */
 
 import { html, type TemplateResult } from 'lit';
 import { check, choice } from '../fields.js';

@@ -1,4 +1,4 @@
-/** The panel of manipulators: a limb, what leads it, and the numbers of that (GEVH 3.3). */
+/** Panel of manipulators: a limb, its control, and the parameters of it (GEVH 3.3). */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { check, choice, numberField } from '../fields.js';

@@ -1,8 +1,8 @@
-/** Animations go on from where they are when their speed changes, though the text that plays them is written anew. */
+/** Continuity of animations across speed changes, although the text that plays them is rewritten. */
 
 import { GROUPS, type State, type Track } from './state.js';
 
-/** How an animation came to where its speed changed last: as if always at one speed until then. */
+/** History of an animation up to its last speed change, as if played at a constant speed until then. */
 export interface JointSpeed {
   readonly untilSecs: number;
   readonly speed: number;
@@ -17,7 +17,7 @@ interface TrackHistory {
   readonly pace: JointSpeed | undefined;
 }
 
-/** The tracks of the player that plays, by their places in it. */
+/** Returns the tracks of the active player, by position. */
 function tracksOf({ mechanism, layers, groups }: State): [string, Track][] {
   if (mechanism === 'layers') return layers.map((track, i) => [`${i}`, track]);
   return mechanism === 'groups' ? GROUPS.map((name) => [name, groups[name]]) : [];
@@ -35,8 +35,8 @@ export class JointSpeeds {
   }
 
   /**
-   * Takes in what the controls say by now: a track that keeps its animation goes on from where this
-   * is at `nowSecs` of the script, which goes back only by `restart`.
+   * Updates from the current controls: a track with the same animation continues from its position at `nowSecs` of the script, which goes back only by
+   * `restart`.
    */
   follow(state: State, nowSecs: number): void {
     this.#histories = tracksOf(state).map(([place, track]) => {
@@ -48,12 +48,12 @@ export class JointSpeeds {
     });
   }
 
-  /** How a track came to the speed that it has; undefined when it always had it. */
+  /** Returns the pace of a track; undefined if its speed never changed. */
   of(track: Track): JointSpeed | undefined {
     return this.#histories.find((course) => course.track === track)?.pace;
   }
 
-  /** The script goes on from `nowSecs`: speeds that changed later were never different. True when there were any. */
+  /** Restarts the script from `nowSecs` and discards later speed changes. Returns true if there were any. */
   restart(nowSecs: number): boolean {
     const later = ({ pace }: TrackHistory): boolean => pace !== undefined && pace.untilSecs > nowSecs;
     if (!this.#histories.some(later)) return false;

@@ -1,4 +1,4 @@
-/** The stage: handles of the limbs over the picture, and the look around the figure. */
+/** Stage: handles of the limbs over the picture, and the view of the figure. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { keySteps, vars } from '../fields.js';
@@ -8,9 +8,9 @@ import { FRONT, type App } from './app.js';
 import { LIMB_NAMES, LIMBS, type LimbName, type Vector3 } from './state.js';
 import { endOf, toPlace, toWorld } from './turns.js';
 
-/** From the skull's joint to the handle of the head, over the crown: units of the figure, who stands 77 high. */
+/** Distance from the skull's joint to the head's handle, above the crown: units of the figure, whose height is 77. */
 const OVER_HEAD = 10.7;
-/** Degrees that the head turns for each pixel that its handle is drawn. */
+/** Head rotation per pixel of its handle's movement, degrees. */
 const NOD = 0.5;
 
 /** Follows a pointer from its press to its release. */
@@ -35,7 +35,7 @@ function steps(event: KeyboardEvent): Vector3 | undefined {
   return by && [by[0], by[1], -by[2]];
 }
 
-/** Where a limb's handle is in the world: at its target, else at its end. */
+/** Returns the position of a limb's handle in the world: at its target, otherwise at its end. */
 function handlePlace(app: App, pose: PoseNow, name: LimbName): Vector | undefined {
   const limb = app.state.limbs[name];
   const end = endOf(pose, name);
@@ -104,7 +104,7 @@ function turnHead(angles: Vector3, right: number, up: number, scale: number): vo
   angles[1] = within(angles[1] + up * scale, 70);
 }
 
-/** A step as seen in the picture, in EML's axes. */
+/** Converts a step in the image to EML's axes. */
 function turned(app: App, [right, up, nearer]: Vector3): Vector3 {
   const [sin, cos] = [Math.sin(app.view.turn), Math.cos(app.view.turn)];
   const tenth = (n: number): number => Math.round(n * 10) / 10;
@@ -148,7 +148,7 @@ function drag(app: App, pose: PoseNow, name: LimbName, event: PointerEvent): voi
   );
 }
 
-/** The pad behind the handles: it turns the view, moves it, and comes nearer. */
+/** Connects the pad behind the handles: it rotates, moves and zooms the view. */
 export function lookAround(app: App, pad: HTMLElement): void {
   const held = new Map<number, ScreenPoint>();
   let spread = 0;
@@ -191,7 +191,7 @@ export function lookAround(app: App, pad: HTMLElement): void {
   });
 }
 
-/** Moves the middle of the picture by pixels. */
+/** Moves the centre of the image by pixels. */
 function shift(app: App, right: number, up: number): void {
   const { pose, player, view } = app;
   const chest = pose && endOf(pose, 'head');
@@ -200,7 +200,7 @@ function shift(app: App, right: number, up: number): void {
   app.look({ right: view.right + right / metre, up: view.up + up / metre });
 }
 
-/** Looks that one wants often. */
+/** Renders buttons for common views. */
 export function views(app: App): TemplateResult {
   const { turn, zoom, up } = app.view;
   const near = (a: number, b: number): boolean => Math.abs(a - b) < 0.01;

@@ -1,9 +1,9 @@
-/** What the viewer's controls are set to: everything that its EML says. */
+/** State of the viewer's controls: everything expressed in its EML. */
 
-/** How a player combines animations (GEVH 3.2). */
+/** Combination of animations in a player (GEVH 3.2). */
 export type Mechanism = 'none' | 'layers' | 'groups' | 'stances';
 
-/** How an animation plays; the words of EML's `animation-style`. */
+/** Playback style of an animation; the words of EML's `animation-style`. */
 export type Style = 'loop' | 'loopReverse' | 'pingPong' | 'iterations' | 'iterationsReverse' | 'temporaryIterations' | 'temporaryIterationsReverse';
 
 /** One track of a player. */
@@ -11,7 +11,7 @@ export interface Track {
   /** Name of the animation; empty for none. */
   clip: string;
   style: Style;
-  /** How often, for the styles that end. */
+  /** Number of iterations, for finite styles. */
   times: number;
   speed: number;
   weight: number;
@@ -27,10 +27,10 @@ export type LimbName = (typeof LIMBS)[number];
 
 export type Vector3 = [number, number, number];
 
-/** What leads a limb: nothing, a target in space, or its joints. */
+/** Control of a limb: none, a target in space, or its joints. */
 export type DriveMode = 'free' | 'place' | 'joints';
 
-/** How the end of a limb gets to its target (GEVH D.3.21, D.3.22, D.3.24). */
+/** Path of a limb's end to its target (GEVH D.3.21, D.3.22, D.3.24). */
 export type MotionMode = 'joints' | 'line' | 'velocity';
 
 /** One manipulator. */
@@ -44,13 +44,13 @@ export interface Limb {
   joints: number[];
   way: MotionMode;
   limits: boolean;
-  /** Held in its place while the body moves. */
+  /** True if it stays in place while the body moves. */
   lock: boolean;
 }
 
 export type Fill = 'solid' | 'wireframe' | 'point';
 
-/** What of the figure is drawn. */
+/** Rendered parts of the figure. */
 export interface Look {
   fill: Fill;
   skin: boolean;
@@ -66,9 +66,9 @@ export interface State {
   mechanism: Mechanism;
   layers: Track[];
   groups: Record<Group, Track>;
-  /** Two stances, and how far from the one to the other. */
+  /** Two stances, and the blend between them. */
   stances: { from: string; to: string; blend: number };
-  /** How long animations take to pass into each other, seconds; 0 for at once. */
+  /** Duration of transitions between animations, seconds; 0 for none. */
   swapSecs: number;
   limbs: Record<LimbName, Limb>;
   look: Look;
@@ -85,7 +85,7 @@ function limb(place: Vector3, angles: Vector3, joints: number): Limb {
   return { lead: 'free', place, angles, joints: Array.from({ length: joints }, () => 0), way: 'joints', limits: true, lock: false };
 }
 
-/** What the page begins with. */
+/** Returns the initial state of the page. */
 export function beginning(): State {
   const none = (): Track => track('');
   return {
@@ -115,7 +115,7 @@ export function beginning(): State {
   };
 }
 
-/** A joint's name for people, and how far it turns, degrees: the 95th percentile of men, GEVH table B.1. */
+/** Label of a joint, and its range, degrees: the 95th percentile of men, GEVH table B.1. */
 export interface JointRange {
   readonly name: string;
   readonly least: number;
@@ -164,5 +164,5 @@ export const GROUP_NAMES: Readonly<Record<Group, string>> = {
   right_leg: 'Right leg',
 };
 
-/** Whether a style comes to an end. */
+/** Returns true if a style is finite. */
 export const ends = (style: Style): boolean => /terations/.test(style);

@@ -1,14 +1,14 @@
-/** Between the world and EML: places in units, and frames as yaw, pitch and roll. */
+/** Conversion between the world and EML: positions in units, and frames as yaw, pitch and roll. */
 
 import type { PosedJoint, PoseNow, Vector } from '../../element/engine/pose.js';
 import type { LimbName, Vector3 } from './state.js';
 
-/** A place of EML's world coordinates (x left, y up, z back) in the world, metres. */
+/** Converts a position in EML's world coordinates (x left, y up, z back) to the world, metres. */
 export function toWorld({ metresPerUnit }: Pick<PoseNow, 'metresPerUnit'>, [x, y, z]: Vector3): Vector {
   return [x * metresPerUnit, y * metresPerUnit, -z * metresPerUnit];
 }
 
-/** The place in EML's world coordinates of a point of the world; tenths of a unit. */
+/** Converts a point in the world to EML's world coordinates; tenths of a unit. */
 export function toPlace({ metresPerUnit }: Pick<PoseNow, 'metresPerUnit'>, [x, y, z]: Vector): Vector3 {
   const tenth = (metres: number): number => Math.round((metres / metresPerUnit) * 10) / 10 || 0;
   return [tenth(x), tenth(y), tenth(-z)];
@@ -32,7 +32,7 @@ const BONES: Readonly<Record<LimbName, readonly string[]>> = {
   head: ['thoracic', 'cervical', 'skull'],
 };
 
-/** Those as they are now, as far as the figure has them. */
+/** Returns the current bones of a limb, as far as the figure has them. */
 export const bonesOf = (pose: PoseNow, name: LimbName): PosedJoint[] => BONES[name].flatMap((bone) => pose.joints.find((joint) => joint.name === `bone_${bone}`) ?? []);
 
 /** The joint at the end of a limb as it is now. */

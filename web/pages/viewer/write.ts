@@ -5,15 +5,15 @@ import { script, tag } from '../../speech/markup.js';
 import type { JointSpeed } from './paces.js';
 import { ends, GROUPS, LIMBS, LOOK, track as stand, type Limb, type LimbName, type Look, type State, type Track } from './state.js';
 
-/** How long the script lasts, seconds; then it begins again. */
+/** Duration of the script, seconds; then it restarts. */
 export const LENGTH_SECS = 600;
-/** How long a limb takes to come to its target, seconds. */
+/** Time for a limb to reach its target, seconds. */
 const MOVE_SECS = 0.6;
 
 /** The pace that a track had before its speed changed, if it did. */
 type SpeedOf = (track: Track) => JointSpeed | undefined;
 
-/** What lies on one track of a player, how fast it plays, and whether it is heard. */
+/** Writes the clauses of one track of a player: animation, speed, and audibility. */
 function onTrack(player: string, where: string, track: Track, paceOf: SpeedOf): string[] {
   const { clip, style, times, speed, on } = track;
   if (clip === '') return [];
@@ -37,9 +37,8 @@ function property(player: string, where: string, name: string, value: number | b
 }
 
 /**
- * Weights of layers. Each clause leaves the rest of the whole to the other layers in the
- * proportion that they have (GEVH 3.2.1): so the first layer takes all, and each further one
- * its share of itself and those before.
+ * Writes the weights of layers. Each clause leaves the remainder to the other layers in their proportion (GEVH 3.2.1): so the first layer gets everything, and
+ * each further one its share of the sum of itself and those before.
  */
 function weigh(layers: readonly Track[]): string[] {
   let sum = 0;
