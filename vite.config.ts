@@ -14,7 +14,7 @@ import { kinds } from './web/tools/wasm.mjs';
 const root = import.meta.dirname;
 
 /**
- * What a careful server sends. Nothing inline and nothing from elsewhere is needed:
+ * Headers of a strict server. Nothing inline and nothing from elsewhere is needed:
  * wasm is the only thing that script-src must name besides the page's own files.
  */
 const headers = {

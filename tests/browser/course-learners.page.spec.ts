@@ -100,7 +100,7 @@ function store(standard: 'xapi' | 'cmi5'): World {
 
 const WORLDS = { scorm12: () => system('scorm12'), scorm2004: () => system('scorm2004'), xapi: () => store('xapi'), cmi5: () => store('cmi5') } as const;
 
-/** What a learner has done, as the page itself told it. */
+/** Actions of a learner as the page reported them. */
 interface Truth {
   readonly told: SeenAnswer[];
   /** Tenths of a second of the story that were played. */

@@ -53,7 +53,7 @@ async function open(stage: Stage, attributes: string, body = `<voice-text time='
 
 interface ShownState {
   readonly paused: boolean;
-  /** How far it is ahead of the sound, seconds. */
+  /** Lead of the film over the audio, seconds. */
   readonly drift: number;
   readonly rate: number;
   readonly seeking: boolean;

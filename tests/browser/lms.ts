@@ -65,7 +65,7 @@ export async function serve(page: Page, standard: keyof typeof SYSTEMS, story = 
 
 export const playerIn = (page: Page) => page.frameLocator('iframe').locator('raconteur-player');
 
-/** What the system has kept at a place of its data. */
+/** Value that the system has stored under a key. */
 export const kept = (page: Page, at: readonly string[]) =>
   page.evaluate(
     (path) =>

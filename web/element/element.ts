@@ -95,13 +95,13 @@ import {
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the interface types the listeners of events that the class dispatches.
 export class RaconteurPlayer extends PlayerAttributes {
-  /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
+  /** Address of the asset library without the attribute `assets`; set by the script that the page loads. */
   static library = 'assets/';
-  /** What takes the keys is the frame within: it has the focus that the player is given by `focus()` or a click. */
+  /** The inner frame receives keys: `focus()` and clicks on the player move the focus there. */
   static override shadowRootOptions: ShadowRootInit = { ...PlayerAttributes.shadowRootOptions, delegatesFocus: true };
   static override styles = [unsafeCSS(look), unsafeCSS(questionLook)];
 
-  /** What the element is by itself; there is none where a page is made without a browser. */
+  /** Default semantics of the element; absent when a page is rendered without a browser. */
   readonly #internals = this.attachInternals?.() as ElementInternals | undefined;
   #announcement = '';
   readonly #captionRoom = new CaptionRoom(this);
@@ -220,7 +220,7 @@ export class RaconteurPlayer extends PlayerAttributes {
     return show && statisticsOf(show);
   }
 
-  /** How camera, light and music express the current emotion (GEVH 3.5.4), once a story is loaded. */
+  /** Expression of the current emotion by camera, light and music (GEVH 3.5.4), once a story is loaded. */
   get expressed(): EnvironmentExpression | undefined {
     return this.#context.show?.picture.environmentExpression(this.currentTime);
   }

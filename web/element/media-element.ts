@@ -37,7 +37,7 @@ export abstract class MediaElement extends PromptElement {
   #defaultRate = 1;
   #keepsPitch = true;
   #device = '';
-  /** Where the story begins once it is there. */
+  /** Start position of the story once it is loaded. */
   #startSecs = 0;
   /** A source is being looked for. */
   #looks = false;
@@ -73,7 +73,7 @@ export abstract class MediaElement extends PromptElement {
     return this.parts.stories.address;
   }
 
-  /** Whether requests for the story's files to other origins include credentials such as cookies: `null` and `anonymous` send none. */
+  /** Credentials mode of requests for the story's files to other origins: `use-credentials` includes cookies, `null` and `anonymous` send none. */
   get crossOrigin(): 'anonymous' | 'use-credentials' | null {
     return crossOriginOf(this.getAttribute('crossorigin'));
   }
@@ -162,7 +162,7 @@ export abstract class MediaElement extends PromptElement {
     this.currentTime = secs;
   }
 
-  /** Whether a seek is in progress. */
+  /** True while a seek is in progress. */
   get seeking(): boolean {
     // Its end is told by both.
     return isPending(this, 'timeupdate') && isPending(this, 'seeked');
@@ -196,12 +196,12 @@ export abstract class MediaElement extends PromptElement {
 
   // --- playing ---
 
-  /** Whether the story neither plays nor is about to play. */
+  /** True if the story neither plays nor is about to play. */
   get paused(): boolean {
     return this.parts.playback.paused;
   }
 
-  /** Whether the story has reached its end and does not loop. */
+  /** True if the story has reached its end and does not loop. */
   get ended(): boolean {
     // Nothing that lasts no time begins again.
     const repeats = this.loop && this.duration > 0;
@@ -268,7 +268,7 @@ export abstract class MediaElement extends PromptElement {
     if (before !== this.#defaultRate) dispatch(this, 'ratechange');
   }
 
-  /** Whether the pitch stays the same at other speeds. */
+  /** True if the pitch stays the same at other speeds. */
   get preservesPitch(): boolean {
     return this.#keepsPitch;
   }
@@ -295,7 +295,7 @@ export abstract class MediaElement extends PromptElement {
     if (before !== this.#volume) dispatch(this, 'volumechange');
   }
 
-  /** Whether the story is silent; does not change `volume`. */
+  /** True if the story is silent; does not change `volume`. */
   get muted(): boolean {
     return this.#muted;
   }

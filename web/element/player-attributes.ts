@@ -1,4 +1,4 @@
-/** What a page says of a storyteller by attributes, besides those of a media element. */
+/** Attributes of a storyteller in addition to those of a media element. */
 
 import { attributes } from './media/attributes.js';
 import { MediaElement } from './media-element.js';

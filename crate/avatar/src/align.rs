@@ -73,8 +73,7 @@ impl RestStance {
             let down = (0.5 * (legs[0] + legs[1]) - hips).normalize_or_zero();
             if down.dot(up) > -0.35 {
                 return Err(ImportError::NotHumanoid(
-                    "the legs are not below the trunk as in a human; is it an animal?"
-                        .to_owned(),
+                    "the legs are not below the trunk as in a human; is it an animal?".to_owned(),
                 ));
             }
         }
@@ -83,7 +82,8 @@ impl RestStance {
             DQuat::IDENTITY
         } else if !has_legs {
             return Err(ImportError::NotHumanoid(
-                "the trunk is horizontal, and no legs show which way is up; is it an animal?".to_owned(),
+                "the trunk is horizontal, and no legs show which way is up; is it an animal?"
+                    .to_owned(),
             ));
         } else {
             notes.add(

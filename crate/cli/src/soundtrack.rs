@@ -62,9 +62,7 @@ impl Soundtrack {
                     file,
                     start_secs: u.timed.start_secs - from_secs,
                 }),
-                Err(error) => {
-                    terminal::report(format_args!("speech is missing: {error:#}"))
-                }
+                Err(error) => terminal::report(format_args!("speech is missing: {error:#}")),
             }
         }
         let mut track = Self {
@@ -78,10 +76,7 @@ impl Soundtrack {
                 continue;
             }
             if let Err(error) = track.add_music(&cue, script, from_secs, end_secs) {
-                terminal::report(format_args!(
-                    "the music {} is missing: {error:#}",
-                    cue.file
-                ));
+                terminal::report(format_args!("the music {} is missing: {error:#}", cue.file));
             }
         }
         track

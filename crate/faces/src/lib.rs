@@ -24,6 +24,7 @@ mod rating;
 mod sample;
 mod segment;
 mod space;
+mod vertex_lists;
 
 pub use age_model::AgeModel;
 pub use attribute::Attribute;

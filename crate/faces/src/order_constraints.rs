@@ -8,6 +8,7 @@ use raconteur_base::DVec3;
 use raconteur_base::self_intersection::{TriangleTree, ViewedSurface};
 
 use crate::blend::VertexNeighbours;
+use crate::vertex_lists::VertexLists;
 
 /// Distance below which vertices that face towards or away from each other keep their order,
 /// metres.
@@ -65,54 +66,11 @@ pub(crate) struct OrderConstraints {
     first: Vec<u32>,
     neighbours: VertexNeighbours,
     /// Pairs and triangles of each vertex, by their numbers.
-    pairs_of: NeighbourLists,
-    triangles_of: NeighbourLists,
+    pairs_of: VertexLists,
+    triangles_of: VertexLists,
     tree: TriangleTree,
     /// Vertices that are close in space, on either side of a fold.
     about: VertexNeighbours,
-}
-
-/// A list of numbers for each vertex.
-#[derive(Clone, Debug)]
-struct NeighbourLists {
-    /// Start of each vertex's entries in `all`; one entry more than there are vertices.
-    starts: Vec<u32>,
-    all: Vec<u32>,
-}
-
-impl NeighbourLists {
-    /// Collects the indices of items by the vertices that they use.
-    fn collect<'v>(vertices: usize, things: impl Iterator<Item = &'v [u32]> + Clone) -> Self {
-        let mut starts = vec![0; vertices + 1];
-        for v in things.clone().flatten() {
-            starts[*v as usize + 1] += 1;
-        }
-        for v in 0..vertices {
-            starts[v + 1] += starts[v];
-        }
-        let mut next = starts.clone();
-        let mut all = vec![0; starts[vertices] as usize];
-        for (number, own) in (0u32..).zip(things) {
-            for v in own {
-                let place = &mut next[*v as usize];
-                all[*place as usize] = number;
-                *place += 1;
-            }
-        }
-        Self { starts, all }
-    }
-
-    /// Those of any of these vertices, in their order.
-    fn about(&self, vertices: &[u32]) -> Vec<u32> {
-        let own = |v: &u32| {
-            let [from, to] = [0, 1].map(|k| self.starts[*v as usize + k] as usize);
-            &self.all[from..to]
-        };
-        let mut found: Vec<u32> = vertices.iter().flat_map(own).copied().collect();
-        found.sort_unstable();
-        found.dedup();
-        found
-    }
 }
 
 impl OrderConstraints {
@@ -140,14 +98,8 @@ impl OrderConstraints {
         Some(Self {
             tree: TriangleTree::from_triangles(&points, &triangles),
             about: about(&reference, &first, &triangles),
-            pairs_of: NeighbourLists::collect(
-                reference.len(),
-                pairs.iter().map(|p| &p.vertices[..]),
-            ),
-            triangles_of: NeighbourLists::collect(
-                reference.len(),
-                triangles.iter().map(|t| &t[..]),
-            ),
+            pairs_of: VertexLists::collect(reference.len(), pairs.iter().map(|p| &p.vertices[..])),
+            triangles_of: VertexLists::collect(reference.len(), triangles.iter().map(|t| &t[..])),
             reference,
             triangles,
             normals,

@@ -14,10 +14,7 @@ pub const CODES: &[(&str, &str)] = &[
         "eml::ask-right",
         "A question has no right option, or more than one where one must be chosen.",
     ),
-    (
-        "eml::bad-boolean",
-        "A boolean is not true, false, 1 or 0.",
-    ),
+    ("eml::bad-boolean", "A boolean is not true, false, 1 or 0."),
     (
         "eml::bad-choice",
         "A value is not one of the attribute's keywords.",

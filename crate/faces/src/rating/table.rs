@@ -326,7 +326,7 @@ mod tests {
         let told = parse("# so\n\na\t1\tf\tmuch").expect_err("no number");
         assert_eq!(
             told.to_string(),
-            "line 4: \"much\" is no number from -3 to 3"
+            "line 4: \"much\" is not a number from -3 to 3"
         );
         let long = parse(&format!("a\t{}\tf\t1", "9".repeat(99))).expect_err("no index");
         let found = "9".repeat(MAX_QUOTE_CHARS);

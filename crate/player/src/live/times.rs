@@ -52,7 +52,8 @@ pub(super) fn bind(
         }
         if expr.offset_secs < 0.0 {
             let late = -expr.offset_secs;
-            let message = format!("this time passed {late:.1} s ago; the clause starts immediately");
+            let message =
+                format!("this time passed {late:.1} s ago; the clause starts immediately");
             warnings.push(Diagnostic::warning("live::late", expr.span, message));
             expr.offset_secs = 0.0;
         }

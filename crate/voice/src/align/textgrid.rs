@@ -74,7 +74,10 @@ impl<'a> Tokens<'a> {
     fn size(&mut self, what: &str) -> Result<u64, TextError> {
         let (at, size) = self.number(what)?;
         if !(0.0..=1e9).contains(&size) || size % 1.0 != 0.0 {
-            return Err(TextError::new(at, format!("{size} is not a number of {what}")));
+            return Err(TextError::new(
+                at,
+                format!("{size} is not a number of {what}"),
+            ));
         }
         #[expect(
             clippy::cast_possible_truncation,

@@ -259,7 +259,7 @@ mod tests {
             ("a\t40\tshy\t1\n", "shy=a,b", "no face 40 among 40"),
             ("\t4\tshy\t\n", "shy=a,b", "no face has a rating"),
             ("a\t4\tshy\t1\n", "shy=a", "NAME=LOW,HIGH"),
-            ("a\t4\tshy\t1\n", "sly=a,b", "sly, which nobody rated"),
+            ("a\t4\tshy\t1\n", "sly=a,b", "sly, which has no ratings"),
             ("a\t4\tshy\t1\n", "shy=a,b", "to learn shy"),
         ] {
             let told = told(&format!("{header}{lines}"), terms);
