@@ -73,7 +73,7 @@ pub(super) struct SpringX4 {
 }
 
 impl SpringX4 {
-    /// Returns the vectors from their first ends to their second.
+    /// Returns the springs between these nodes, with the stiffness and the rest length of each.
     pub(super) fn all(ends: &[[u16; 2]], of: &[[f32; 2]]) -> Vec<Self> {
         (0..ends.len())
             .step_by(LANES)
@@ -88,7 +88,7 @@ impl SpringX4 {
             .collect()
     }
 
-    /// The ways from their first ends to their second.
+    /// Returns the vectors from their first ends to their second.
     #[inline]
     pub(super) fn directions(&self, places: &[Vector]) -> [Vector; LANES] {
         self.ends

@@ -30,7 +30,7 @@ pub struct Prosody {
     pub accent_slope: f64,
     /// Preferred accent shape in place of the engine's; `None` leaves it.
     pub accent_shape: Option<AccentShape>,
-    /// True if phrases end high, false for low; `None` leaves them.
+    /// True if phrases end high, `false` for low; `None` leaves them.
     pub ends_high: Option<bool>,
     /// On the pace.
     pub rate: f64,

@@ -47,7 +47,8 @@ fn add(heard: &mut SpokenAndShown, plan: &Plan, shown: Vec<String>, is_whole: bo
     );
 }
 
-/// Returns the spoken text; `is_whole` means that a clause may have several sentences.
+/// Returns the spoken and displayed form of scripts; `is_whole` means that a clause may have
+/// several sentences.
 fn heard_of<'s>(
     scripts: impl IntoIterator<Item = &'s str>,
     language: &str,

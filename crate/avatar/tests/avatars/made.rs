@@ -34,11 +34,11 @@ pub(crate) struct Avatar {
     pub(crate) dialect: Dialect,
     /// Numbers in the file for a metre; the armature's scale undoes `armature` of it.
     pub(crate) units_per_metre: f64,
-    /// True if the scale of the armature makes the file metric.
+    /// True if the armature is scaled so that the file is nevertheless in metres.
     pub(crate) armature_scaled: bool,
     /// Turn of the whole about the vertical, radians.
     pub(crate) yaw_rad: f64,
-    /// True if the armature is scaled so that the file is nevertheless in metres.
+    /// Angle of the arms below the horizontal in the rest pose, radians.
     pub(crate) arms_down_rad: f64,
     /// Bend of the elbows in the rest pose, radians.
     pub(crate) elbow_rad: f64,

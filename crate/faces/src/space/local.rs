@@ -82,7 +82,7 @@ impl FaceSpace {
         Ok(sum)
     }
 
-    /// Orthonormalises directions against the modes and each other.
+    /// Orthonormalises directions against the modes and each other, with length 1.
     fn orthonormal(&self, directions: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let remove = |from: &mut [f64], along: &[f64]| {

@@ -49,7 +49,7 @@ pub(super) fn leather(dye: [f64; 3]) -> Fabric {
     cloth(MaterialKind::Leather, dye)
 }
 
-/// Marks a part that lies against the neck, by its name.
+/// Names a part `collar`, for parts that lie against the neck.
 pub(super) fn collar_part(part: MeshPart) -> MeshPart {
     MeshPart {
         name: "collar".to_owned(),

@@ -39,7 +39,7 @@ struct Node {
     down: usize,
     next: usize,
     prev: usize,
-    /// Nesting of a list of daughters that begins here, from the file.
+    /// Mother node if a list of daughters begins here, from the file; otherwise 0.
     up: usize,
 }
 

@@ -40,7 +40,8 @@ const MAX_VERTICES: usize = 200_000;
 const MAX_MODES: usize = 400;
 /// A file of a model is not larger, bytes.
 const MAX_FILE_BYTES: u64 = 512 << 20;
-/// Maximum absolute coordinate, in the units of the file, for sufficient single precision.
+/// Maximum distance of a coordinate from 0, in the units of the file, for sufficient single
+/// precision.
 const MAX_COORDINATE: f64 = 1e6;
 /// Explained share of the variance below which a warning is shown.
 const EXPLAINED: f64 = 0.99;

@@ -14,7 +14,7 @@ pub struct TracedText {
     pub samples: Vec<i16>,
     /// Samples a second.
     pub rate_hz: u32,
-    /// Events; [`What::Phone`] contains IPA letters with stress marks; empty for silence.
+    /// Events; [`EventKind::Phone`] contains IPA letters with stress marks; empty for silence.
     pub events: Vec<Event>,
     /// The text's mnemonics, a low line between those of a word, a space between words.
     pub marked: String,
