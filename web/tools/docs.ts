@@ -27,7 +27,7 @@ const groups: readonly (readonly [title: string, documents: readonly Document[]]
       ['docs/embedding.md', 'Embedding', 'A script tag or a package, what to serve, what fails.'],
       ['examples/README.md', 'Examples', 'Small applications with React, Vue, Svelte, Solid, Next, and without any of them.'],
       ['docs/element.md', 'The element', 'Every attribute, property, method and event.'],
-      ['docs/expression.md', 'Expression', 'How camera, light and music express what is felt.'],
+      ['docs/expression.md', 'Expression', 'How camera, light and music express emotions.'],
       ['docs/courses.md', 'Courses', 'A story for SCORM, cmi5 and xAPI, or for any server.'],
       ['docs/live.md', 'Live', 'Minds that send EML while a story plays.'],
       ['docs/figures.md', 'Figures', 'The figures of the library and how they are made.'],
@@ -45,7 +45,7 @@ const groups: readonly (readonly [title: string, documents: readonly Document[]]
     'Library',
     [
       ['assets/stories/README.md', 'Stories', 'The stories that are shipped.'],
-      ['assets/courses/README.md', 'Ready course', 'How a story is told: ten minutes, six questions, in three languages.'],
+      ['assets/courses/README.md', 'Ready course', 'A course about storytelling: ten minutes, six questions, in three languages.'],
       ['assets/animations/README.md', 'Shipped animations', 'The animations that are shipped.'],
       ['assets/figures/README.md', 'Shipped figures', 'Where the figures come from.'],
       ['assets/hand-shapes/README.md', 'Hand shapes', 'The pictures of the 61 hand shapes.'],
@@ -56,6 +56,7 @@ const groups: readonly (readonly [title: string, documents: readonly Document[]]
     'Project',
     [
       ['ARCHITECTURE.md', 'Architecture', 'How it is built, and what is deliberately absent.'],
+      ['docs/glossary.md', 'Glossary', 'The terms of the project and their former names.'],
       ['CONTRIBUTING.md', 'Contributing', 'How to add to it.'],
       ['docs/testing.md', 'Testing', 'What the gate checks, and what the long tier adds.'],
       ['SECURITY.md', 'Security', 'What is trusted, what is not, and how to report a hole.'],

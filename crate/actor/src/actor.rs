@@ -1,4 +1,4 @@
-//! Evaluates everything that one figure does in a story at one time.
+//! Evaluates one figure of a story at one time.
 
 mod arms;
 mod face;
@@ -26,7 +26,8 @@ use crate::manipulator::Manipulators;
 use crate::nonverbal::Manner;
 use crate::performance::Performance;
 
-/// Results of an evaluation in addition to the pose.
+/// Results that [`Actor`] reports in addition to the pose of a figure at one time: arm solutions,
+/// wrist errors, driven limbs, mouth targets and face controls.
 #[derive(Clone, Copy, Debug)]
 pub struct EvaluationReport {
     /// Solutions of the left and right arm as driven by gestures and rest.
@@ -38,14 +39,14 @@ pub struct EvaluationReport {
     /// World from target, per limb driven by a manipulator or, without a turn, by a gesture; in the
     /// order of [`Limb::ALL`](crate::limb::Limb::ALL) without the head.
     pub led: [Option<DAffine3>; 4],
-    /// The mouth.
+    /// State of the mouth at the evaluated time, from speech and from visemes set by the script.
     pub mouth: MouthTargets,
     /// The controls of the face.
     pub controls: FaceControls,
 }
 
-/// A performance prepared for one figure. Evaluation is a pure function of time: it stores no state
-/// and allocates nothing.
+/// Performance prepared for one figure; computes pose and face at any story time. Evaluation is a
+/// pure function of time: it stores no state and allocates nothing.
 ///
 /// # Examples
 ///
@@ -70,7 +71,7 @@ pub struct Actor {
     /// Time spans in which arm motion would jump and is smoothed.
     calming: [JumpSmoothing; 2],
     rigs: [Arc<ArmRig>; 2],
-    /// Only where the performance has players or manipulators.
+    /// Animation players and manipulators of the figure; `None` if the performance uses neither.
     motion: Option<BodyMotion>,
     space: BodySpace,
     contact: Contact,
@@ -103,7 +104,7 @@ fn record_visited(performance: &Performance) -> [ArmScript; 2] {
     })
 }
 
-/// The amount of motion of a performance, 0 to 1.
+/// Returns the amount of motion of a performance, clamped to 0 to 1; 1 if it is not finite.
 fn motion_amount(performance: &Performance) -> f64 {
     if performance.motion_amount.is_finite() {
         performance.motion_amount.clamp(0.0, 1.0)
@@ -112,7 +113,7 @@ fn motion_amount(performance: &Performance) -> f64 {
     }
 }
 
-/// A manner with all that moves scaled by the amount of motion.
+/// Returns the manner with its amounts of head, brow, blink and gaze motion multiplied by `amount`.
 fn scaled_manner(manner: &Manner, amount: f64) -> Manner {
     Manner {
         head: amount * manner.head,
@@ -157,7 +158,7 @@ impl Actor {
                 ArmPlan::new(script, skeleton, Arc::clone(rig), &life)
             }),
             calming: Default::default(),
-            // Manipulators start from the figure as it is without them, so they come last.
+            // Manipulators start from the pose of all other layers, so they come last.
             motion: is_moved.then(|| BodyMotion {
                 players: Players::new(
                     &performance.players,
@@ -233,7 +234,7 @@ impl Actor {
         self.listener_in_world = listener_in_world;
     }
 
-    /// The plan of one arm.
+    /// Returns the planned gesture motion of the arm on one side.
     #[must_use]
     pub fn plan(&self, side: Side) -> &ArmPlan {
         &self.plans[side.index()]
@@ -266,13 +267,14 @@ impl Actor {
         pose: &mut Pose,
         morph_weights: &mut [f32],
     ) -> EvaluationReport {
-        // The order matters: each step stands on the joints that the steps before it set.
+        // The order matters: each step uses the joints that the previous steps set.
         let t = if time_secs.is_finite() {
             time_secs
         } else {
             0.0
         };
-        // Until the end everything is in the axes of the figure, which may be on its way.
+        // All steps use the axes of the figure until the last one, because the figure may be
+        // moving.
         let moved = self.world_from_figure(t);
         let listener = match &moved {
             Some(moved) => moved.inverse().transform_point3(self.listener_in_world),
@@ -310,7 +312,7 @@ impl Actor {
                 target.position,
             ))
         });
-        // A gesture leads an arm that does not rest and that no manipulator leads.
+        // A gesture drives an arm that neither rests nor follows a manipulator.
         for i in 0..2 {
             if led[i].is_none() && rest_shares[i] < 0.5 {
                 led[i] = Some(DAffine3::from_translation(wrist_goals_in_world[i]));

@@ -1,9 +1,9 @@
-//! From the channels of the mouth to muscles, jaw and tongue (F&H section 3.1.3).
+//! Conversion from mouth channels to muscles, jaw and tongue (F&H section 3.1.3).
 //!
-//! Speech moves few muscles: both halves of the ring of the mouth, which contract, protrude
-//! and retract; mentalis, risorius and depressor of the lower lip; here also the upper lip's
-//! own levators, a little. What else the face shows is added to theirs, and closures keep
-//! what they need of the sum.
+//! Speech moves few muscles: both halves of the orbicularis oris, which contract, protrude and
+//! retract; mentalis, risorius and the depressor of the lower lip; here also, slightly, the
+//! levators of the upper lip. Other expressions are added to these, and closures keep the share of
+//! the sum that they need.
 
 use raconteur_base::Side;
 use raconteur_base::curve::lerp;
@@ -62,7 +62,7 @@ pub fn articulate(mouth: &MouthTargets, loudness: f64, controls: &mut FaceContro
         controls.contraction[half.index()] += value(Channel::OoContract);
         controls.protrusion[i] += round;
     }
-    // What the lips open beyond the jaw they do themselves; rounded lips hide the teeth.
+    // The lips provide the opening that exceeds the jaw's; rounded lips hide the teeth.
     let own = (open - LIPS_OF_JAW * jaw).max(0.0);
     let bare = 1.0 - 0.6 * round.max(0.0);
     let raised = (0.55 * own + 0.11 * open) * bare;
@@ -148,12 +148,22 @@ mod tests {
         let ordinary = |symbol: &str| face(symbol, ORDINARY_LOUDNESS);
         let [aa, iy, uw, s, sh, n, k, th, p, f] =
             ["aa", "iy", "uw", "s", "sh", "n", "k", "th", "p", "f"].map(ordinary);
-        assert!((aa.jaw.pitch_rad - 0.65 * JAW_RAD).abs() < 1e-12);
-        assert!(contraction_of(&iy, M::RisoriusLeft) > 4.0 * contraction_of(&aa, M::RisoriusLeft));
-        assert!(uw.protrusion[0] > 0.7 && contraction_of(&uw, M::OrbicularisOrisLower) > 0.5);
+        assert!(
+            (aa.jaw.pitch_rad - 0.65 * JAW_RAD).abs() < 1e-12,
+            "an open vowel lowers the jaw by its share"
+        );
+        assert!(
+            contraction_of(&iy, M::RisoriusLeft) > 4.0 * contraction_of(&aa, M::RisoriusLeft),
+            "iy spreads the lips more than aa"
+        );
+        assert!(
+            uw.protrusion[0] > 0.7 && contraction_of(&uw, M::OrbicularisOrisLower) > 0.5,
+            "uw protrudes and rounds the lips"
+        );
         assert!(
             contraction_of(&iy, M::DepressorLabiiRight) > 0.1
-                && contraction_of(&iy, M::LevatorLabiiRight) > 0.1
+                && contraction_of(&iy, M::LevatorLabiiRight) > 0.1,
+            "iy contracts the lip depressor and levator"
         );
         assert!(s.jaw.forward_m > 5e-4 && sh.jaw.forward_m > 3e-4, "{s:?}");
         for other in [&aa, &iy, &uw, &n, &k, &p, &f] {
@@ -163,8 +173,14 @@ mod tests {
             (n.tongue_tip, k.tongue_back, th.tongue_out),
             (1.0, 1.0, 0.65)
         );
-        assert!(p.seal == 1.0 && f.bite == 0.9 && p.bite == 0.0 && f.seal == 0.0);
-        assert!(contraction_of(&p, M::MentalisLeft) > contraction_of(&aa, M::MentalisLeft));
+        assert!(
+            p.seal == 1.0 && f.bite == 0.9 && p.bite == 0.0 && f.seal == 0.0,
+            "bilabials seal and labiodentals bite"
+        );
+        assert!(
+            contraction_of(&p, M::MentalisLeft) > contraction_of(&aa, M::MentalisLeft),
+            "p contracts the mentalis more than aa"
+        );
         assert_eq!(ordinary("pau"), FaceControls::default());
     }
 
@@ -179,7 +195,8 @@ mod tests {
                 );
             }
             assert!(
-                controls.jaw.yaw_rad == 0.0 && controls.protrusion[0] == controls.protrusion[1]
+                controls.jaw.yaw_rad == 0.0 && controls.protrusion[0] == controls.protrusion[1],
+                "speech moves both sides equally"
             );
         }
     }
@@ -209,7 +226,7 @@ mod tests {
         assert_eq!(face("aa", 7.0), face("aa", 1.0));
     }
 
-    /// An utterance of random phones in which every third is `every`.
+    /// Creates a test utterance of random phones in which every third is `every`.
     fn utterance(every: &str, seed: u64) -> Vec<Phone> {
         let others = ["aa", "iy", "uw", "s", "ae", "l", "ow", "k", "sh"];
         (0..45)
@@ -242,13 +259,19 @@ mod tests {
                 controls.jaw.down_m += 0.004;
                 hold_closures(&mut controls);
                 let most = 1.0 - controls.seal.max(controls.bite);
-                assert!(contraction_of(&controls, M::DepressorLabiiLeft) <= most);
+                assert!(
+                    contraction_of(&controls, M::DepressorLabiiLeft) <= most,
+                    "the lower lip depressor stays below its bound"
+                );
                 if matches!(every, "f" | "v") {
                     assert!(controls.bite > 0.89, "{every} {}", controls.bite);
                     assert!(controls.jaw.pitch_rad < 0.07, "{}", controls.jaw.pitch_rad);
                 } else {
                     assert!(controls.seal > 0.97, "{every} {}", controls.seal);
-                    assert!(contraction_of(&controls, M::LevatorLabiiRight) <= most);
+                    assert!(
+                        contraction_of(&controls, M::LevatorLabiiRight) <= most,
+                        "the upper lip levator stays below its bound"
+                    );
                     assert!(controls.jaw.pitch_rad < 0.13, "{}", controls.jaw.pitch_rad);
                     // A smile stays, less of it.
                     let smile = contraction_of(&controls, M::ZygomaticusMajorLeft);

@@ -1,5 +1,5 @@
-//! What face and head do besides lips and idle life: what accompanies speech, emotions, and
-//! what control parameters ask for.
+//! Facial behaviour apart from lips and idle life: accompaniment of speech, emotions and control
+//! parameters.
 
 use raconteur_body::face::FaceControls;
 
@@ -9,7 +9,8 @@ use crate::nonverbal::{GazeAversion, Manner, NonVerbal};
 use crate::parameters::ParameterTrack;
 use crate::performance::Performance;
 
-/// All of it over one performance. Evaluation is a function of time.
+/// Face and head motion of one performance in addition to lips and idle motion: speech signals,
+/// emotions and control parameters. Evaluation is a function of time.
 #[derive(Clone, Debug)]
 pub(crate) struct FacialBehaviour {
     nonverbal: NonVerbal,
@@ -17,7 +18,7 @@ pub(crate) struct FacialBehaviour {
     parameters: ParameterTrack,
 }
 
-/// Head motion of speech and emotion, radians.
+/// Head rotation from speech and emotion, radians.
 pub(crate) struct HeadMotion {
     /// Down, to the left side, to the left about the vertical.
     pub(crate) pitch: f64,
@@ -37,7 +38,7 @@ impl FacialBehaviour {
         }
     }
 
-    /// As [`NonVerbal::loudness`].
+    /// Returns the relative loudness of speech, see [`NonVerbal::loudness`].
     pub(crate) fn loudness(&self, t: f64) -> f64 {
         self.nonverbal.loudness(t)
     }
@@ -50,12 +51,12 @@ impl FacialBehaviour {
         self.parameters.add(t, controls);
     }
 
-    /// As [`NonVerbal::closure`].
+    /// Returns the closure of the lids by a blink, 0 to 1, see [`NonVerbal::closure`].
     pub(crate) fn closure(&self, t: f64) -> f64 {
         self.nonverbal.closure(t)
     }
 
-    /// As [`EmotionTrack::strength`].
+    /// Returns the strength of emotion, 0 (calm) to 1, see [`EmotionTrack::strength`].
     pub(crate) fn strength(&self, t: f64) -> f64 {
         self.emotions.strength(t)
     }
@@ -65,7 +66,7 @@ impl FacialBehaviour {
         (self.emotions.sample(t).activation / 100.0).clamp(0.0, 1.0)
     }
 
-    /// As [`EmotionTrack::breath`].
+    /// Returns the state of breathing, see [`EmotionTrack::breath`].
     pub(crate) fn breath(&self, t: f64) -> Breathing {
         self.emotions.breath(t)
     }
@@ -89,7 +90,7 @@ impl FacialBehaviour {
         [0, 1].map(|k| looked[k] + felt[k] + asked[k])
     }
 
-    /// As [`ParameterTrack::visemes`].
+    /// Returns the mouth targets of the visemes set by the script, see [`ParameterTrack::visemes`].
     pub(crate) fn visemes(&self, t: f64) -> Option<MouthTargets> {
         self.parameters.visemes(t)
     }

@@ -3,7 +3,7 @@
 use raconteur_base::{DAffine3, DQuat, Length};
 use raconteur_body::{Bone, Pose, Skeleton};
 
-/// World from one bone in a pose, without solving the whole skeleton.
+/// Returns the transform from one bone to world in a pose, without solving the whole skeleton.
 #[must_use]
 pub fn world_from_bone(skeleton: &Skeleton, pose: &Pose, bone: Bone) -> DAffine3 {
     let mut world = DAffine3::IDENTITY;
@@ -20,7 +20,7 @@ pub fn world_from_bone(skeleton: &Skeleton, pose: &Pose, bone: Bone) -> DAffine3
     DAffine3::from_rotation_translation(pose.root_rotation, pose.root_offset_in_world) * world
 }
 
-/// The rotation of a rigid transform.
+/// Returns the rotation of a rigid transform as a unit quaternion.
 #[must_use]
 pub fn rotation_of(affine: &DAffine3) -> DQuat {
     DQuat::from_mat3(&affine.matrix3).normalized()

@@ -1,16 +1,16 @@
-//! How the figure moves: everything here is a function of absolute time over plain plans.
+//! Motion of the figure: functions of absolute time over plain plans.
 //!
-//! Does: animation players with their clips, inverse kinematics of limbs, limbs and head as
-//! manipulators, palm orientation, gesture plans with preparation, hold
-//! and retraction, idle life (breath, sway), what accompanies speech (gaze, blinks, brows,
-//! nods), lip synchronisation, emotion, control parameters, and from the controls of a face
-//! its jaw, lids and morph weights; [`Actor`] evaluates them all into a pose.
-//! Does not: know EML, draw, play sound, or keep state between evaluations: seeking to a
-//! time and playing to it give the same pose.
+//! Scope: animation players with their clips, inverse kinematics of limbs, limbs and head as
+//! manipulators, palm orientation, gesture plans with preparation, hold and retraction, idle life
+//! (breath, sway), accompaniment of speech (gaze, blinks, brows, nods), lip synchronisation,
+//! emotion, control parameters, and the conversion of face controls to jaw, lids and morph weights.
+//! [`Actor`] evaluates them all into a pose.
+//! Out of scope: EML, rendering, audio playback, and state between evaluations: seeking to a time
+//! and playing to it give the same pose.
 //!
-//! Frames: right-handed, metres, radians, seconds; +x is the character's left, +y up,
-//! +z front. A *hand rotation* turns the hand of the zero pose (arms stretched out
-//! sideways, palms down) into its place, in world axes; see [`palm`].
+//! Frames: right-handed, metres, radians, seconds; +x is the character's left, +y up, +z front. A
+//! *hand rotation* turns the hand of the zero pose (arms stretched out sideways, palms down) to its
+//! orientation, in world axes; see [`palm`].
 
 mod actor;
 pub mod animation;

@@ -1,13 +1,12 @@
 //! Lip synchronisation: phones to mouth channels with coarticulation.
 //!
-//! The dominance model of Cohen and Massaro as F&H section 3.1.3 has it: each channel is
-//! the average of the phones' targets weighted by α·exp(−θ·|τ|), over the phone being
-//! heard and eleven to either side, the twelfth fading by a Hermite step. Closures are
-//! held: p, b from their start to the release, m, f, v throughout; silence keeps its
-//! dominance over its length, so that the mouth closes and stays closed. A gate shuts the
-//! lips in a closure whatever its neighbours are, because a gap in a "p" is what a viewer
-//! sees first; with it, closures need no overwhelming dominance, and the vowels next to
-//! them open as they should.
+//! The dominance model of Cohen and Massaro as in F&H section 3.1.3: each channel is the average of
+//! the phones' targets weighted by α·exp(−θ·|τ|), over the current phone and eleven to either side,
+//! the twelfth fading by a Hermite step. Closures are held: p, b from their start to the release,
+//! m, f, v throughout; silence keeps its dominance over its length, so that the mouth closes and
+//! stays closed. A gate shuts the lips in a closure regardless of its neighbours, because viewers
+//! first notice a gap in a "p". With the gate, closures need no overwhelming dominance, and the
+//! adjacent vowels open as they should.
 
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::ops;
@@ -40,7 +39,8 @@ const SILENCE_OPENS_SECS: f64 = 0.12;
 /// Time before and after an utterance in which the mouth may still move, seconds.
 const MARGIN_SECS: f64 = 0.6;
 
-/// State of the mouth at one time.
+/// State of the mouth at one time: mouth channels, lip pressing and lip biting; drives lips, jaw
+/// and tongue.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MouthTargets {
     /// The ten channels in the order of [`Channel`].
@@ -52,7 +52,7 @@ pub struct MouthTargets {
 }
 
 impl MouthTargets {
-    /// A mouth that is all one phone.
+    /// Returns the state of a mouth fully at the targets of one phone.
     #[must_use]
     pub fn from_phone(phone: &PhoneTargets) -> Self {
         let held = |classes: &[Class]| f64::from(u8::from(classes.contains(&phone.class)));
@@ -63,14 +63,15 @@ impl MouthTargets {
         }
     }
 
-    /// One channel.
+    /// Returns the value of one mouth channel.
     #[must_use]
     pub fn channel(&self, channel: Channel) -> f64 {
         self.channels[channel as usize]
     }
 }
 
-/// The mouth's score for one utterance.
+/// Lip synchronisation of one utterance: phones with their dominance functions for coarticulation
+/// (F&H section 3.1.3).
 #[derive(Clone, Debug)]
 pub struct LipTrack {
     segments: Vec<LipSegment>,
@@ -142,8 +143,8 @@ impl LipTrack {
         (first..=last).contains(&offset_secs)
     }
 
-    /// The mouth at an offset from the start of the utterance, seconds. O(log n), no
-    /// allocation.
+    /// Returns the state of the mouth at an offset from the start of the utterance, seconds. O(log
+    /// n), no allocation.
     #[must_use]
     pub fn sample(&self, offset_secs: f64) -> MouthTargets {
         let t = offset_secs;
@@ -189,8 +190,8 @@ impl LipTrack {
     /// Applies the closures near a time.
     fn close(&self, t: f64, now: usize, mut channels: [f64; CHANNELS]) -> MouthTargets {
         let mut out = MouthTargets::default();
-        // Parts of a diphthong may be as short as 20 ms: three and the rest of the one being
-        // heard last longer than lips take to close.
+        // Parts of a diphthong can be as short as 20 ms: three of them and the rest of the current
+        // one last longer than a lip closure.
         let near = now.saturating_sub(2)..(now + 5).min(self.segments.len());
         for segment in &self.segments[near] {
             let gate = segment.gate(t);
@@ -284,7 +285,7 @@ mod tests {
         "s", "sh", "th", "l", "r", "w", "n", "hh", "z",
     ];
 
-    /// A random utterance in which every fourth phone is `every`.
+    /// Creates a random test utterance in which every fourth phone is `every`.
     fn random(every: &str, seed: u64) -> Vec<Phone> {
         let mut t = 0.0;
         (0..60)
@@ -335,8 +336,8 @@ mod tests {
                         "{every} {}",
                         m.channel(Channel::LipOpen)
                     );
-                    assert!(m.channel(Channel::Jaw) < 0.08);
-                    assert!(m.press > 0.97);
+                    assert!(m.channel(Channel::Jaw) < 0.08, "bilabials close the jaw");
+                    assert!(m.press > 0.97, "bilabials press the lips");
                 }
             }
         }
@@ -397,15 +398,27 @@ mod tests {
             phone("uw", 0.17, 0.35),
         ];
         let track = LipTrack::new(&list);
-        assert!(track.sample(0.26).channel(Channel::Protrude) > 0.6);
-        assert!(track.sample(0.08).channel(Channel::Protrude) > 0.15);
+        assert!(
+            track.sample(0.26).channel(Channel::Protrude) > 0.6,
+            "the rounded vowel protrudes the lips"
+        );
+        assert!(
+            track.sample(0.08).channel(Channel::Protrude) > 0.15,
+            "rounding begins before the vowel"
+        );
         let between = LipTrack::new(&[
             phone("b", 0.0, 0.08),
             phone("aa", 0.08, 0.22),
             phone("b", 0.22, 0.3),
         ]);
-        assert!(between.sample(0.15).channel(Channel::Jaw) > 0.35);
+        assert!(
+            between.sample(0.15).channel(Channel::Jaw) > 0.35,
+            "the jaw stays open between vowels"
+        );
         let open = LipTrack::new(&[phone("k", 0.0, 0.08), phone("aa", 0.08, 0.25)]);
-        assert!(open.sample(0.165).channel(Channel::Jaw) > 0.45);
+        assert!(
+            open.sample(0.165).channel(Channel::Jaw) > 0.45,
+            "the jaw opens for the vowel"
+        );
     }
 }

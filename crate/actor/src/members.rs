@@ -1,4 +1,4 @@
-//! JSON objects whose members count in the order in which they are written.
+//! JSON objects whose member order is significant.
 
 use std::fmt;
 

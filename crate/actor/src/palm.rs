@@ -1,14 +1,14 @@
-//! Orientation of a hand from the normal of its palm and an angle about that normal.
+//! Orientation of a hand from its palm normal and an angle about that normal.
 //!
-//! A *hand rotation* is a rotation in world axes that carries the hand of the zero pose
-//! (fingers outwards to its side, palm down) to its orientation. It says nothing of bone
-//! frames, and mirrors like any rotation.
+//! A *hand rotation* is a rotation in world axes that carries the hand of the zero pose (fingers
+//! outwards to its side, palm down) to its orientation. It is independent of bone frames, and
+//! mirrors like any rotation.
 //!
-//! GEVH section 3.5.1 gives axis and a left-handed angle; the zero of the angle was in a
-//! lost figure. Reading (designed, fits the thesis's usable examples): the base pose is
-//! the arm hanging, palm to the thigh, fingers down; the smallest rotation carries its
-//! normal to the wanted one (half a turn about the vertical if they are opposed), then
-//! the angle turns about that normal.
+//! GEVH section 3.5.1 specifies the axis and a left-handed angle; the zero of the angle was in a
+//! lost figure. Interpretation (designed, fits the thesis's usable examples): the base pose is the
+//! arm hanging, palm to the thigh, fingers down; the smallest rotation carries its normal to the
+//! requested one (half a turn about the vertical if they are opposed), then the angle turns about
+//! that normal.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -116,7 +116,10 @@ mod tests {
             let right = hand_rotation(Side::Right, normal, angle).unwrap_or(DQuat::IDENTITY);
             let left = hand_rotation(Side::Left, mirror_vector(normal), -angle);
             let left = left.unwrap_or(DQuat::IDENTITY);
-            assert!(mirror_rotation(right).angle_between(left) < 1e-7);
+            assert!(
+                mirror_rotation(right).angle_between(left) < 1e-7,
+                "the mirrored right hand is the left hand"
+            );
         }
     }
 
@@ -128,7 +131,10 @@ mod tests {
             let side = Side::BOTH[(i % 2) as usize];
             let hand = hand_rotation(side, normal, angle).unwrap_or(DQuat::IDENTITY);
             let (found, turned) = normal_and_angle(side, hand);
-            assert!(found.distance(normal.normalize()) < 1e-9);
+            assert!(
+                found.distance(normal.normalize()) < 1e-9,
+                "the palm normal round trips"
+            );
             assert!(
                 ops::wrap_angle(turned - angle).abs() < 1e-9,
                 "{turned} {angle}"
@@ -140,15 +146,27 @@ mod tests {
     fn the_zero_pose_is_palm_down_at_zero() {
         for side in Side::BOTH {
             let q = hand_rotation(side, DOWN, 0.0).unwrap_or(DQuat::from_rotation_x(1.0));
-            assert!(q.angle_between(DQuat::IDENTITY) < 1e-7);
+            assert!(
+                q.angle_between(DQuat::IDENTITY) < 1e-7,
+                "the zero pose has no rotation"
+            );
         }
-        assert!(hand_rotation(Side::Left, DVec3::ZERO, 0.0).is_none());
+        assert!(
+            hand_rotation(Side::Left, DVec3::ZERO, 0.0).is_none(),
+            "a zero normal has no hand rotation"
+        );
     }
 
     #[test]
     fn directions_are_met() {
         let q = from_directions(Side::Right, UP, FRONT).unwrap_or(DQuat::IDENTITY);
-        assert!((q * RIGHT - UP).length() < 1e-9 && (q * DOWN - FRONT).length() < 1e-9);
-        assert!(from_directions(Side::Left, UP, UP).is_none());
+        assert!(
+            (q * RIGHT - UP).length() < 1e-9 && (q * DOWN - FRONT).length() < 1e-9,
+            "palm and fingers have the requested directions"
+        );
+        assert!(
+            from_directions(Side::Left, UP, UP).is_none(),
+            "parallel directions have no rotation"
+        );
     }
 }

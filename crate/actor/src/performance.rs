@@ -1,4 +1,4 @@
-//! The score of one figure: all its commands over a whole story, as plain data.
+//! Score of one figure: all its commands over a whole story, as plain data.
 
 use raconteur_base::{DVec3, Side};
 use raconteur_speech::TimedUtterance;

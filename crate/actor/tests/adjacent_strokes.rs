@@ -1,6 +1,5 @@
-//! Strokes that follow each other closely, and strokes that are repeated: the way from one to
-//! the next takes place within the hold, at a speed that people have, and nothing comes late
-//! where there is time enough.
+//! Adjacent and repeated strokes: the motion between them fits into the hold, at a human speed, and
+//! nothing is late where the time suffices.
 
 use std::sync::Arc;
 
@@ -55,7 +54,7 @@ fn case(seed: u64) -> Case {
     let size_m = 0.02 + 0.14 * u(3, 0);
     let secs = 0.2 + 1.2 * u(4, 0) * u(4, 0);
     let gap_secs = (0.9 * u(5, 0) - 0.45).max(0.0);
-    // Where the last key stands in the stroke: at its end or before a hold.
+    // Position of the last key in the stroke: at its end or before a hold.
     let last = if u(6, 0) < 0.5 {
         1.0
     } else {
@@ -175,12 +174,12 @@ fn path_spans(case: &Case) -> Option<Vec<PathSpan>> {
                 secs: secs.min(EASY_SECS),
             });
         } else {
-            // There and back in the time of the last way there.
+            // Both directions within the time of the last path there.
             let way = all.pop()?;
             let before = &stroke.keys[stroke.keys.len() - 2];
             let way_m = way.way_m + far(last, next);
             let others = others_secs(before, last) + others_secs(last, next);
-            // Each takes its share of the time; what has the most to do decides on the shares.
+            // Each feature takes its share of the time; the longest one determines the shares.
             let least = (way.way_m / MAX_SPEED_M_S).max(others_secs(before, last))
                 + (far(last, next) / MAX_SPEED_M_S).max(others_secs(last, next));
             if !suffices(way_m, others, way.secs) || least > 0.6 * way.secs {
@@ -254,7 +253,7 @@ fn faults(case: &Case, plan: &ArmPlan, ways: &[PathSpan]) -> Vec<String> {
     for way in ways {
         let speed = |t: f64| at(t).distance(at(t + 1.0 / RATE_HZ)) * RATE_HZ;
         let n = ((way.to_secs - way.from_secs) * RATE_HZ).floor() as i64;
-        // A held hand sinks a little.
+        // A held hand sinks slightly.
         let most = ROOM * PEAK * way.way_m / way.secs + 0.06;
         let change = 2.0 * ACCELERATION * way.way_m / (way.secs * way.secs) / RATE_HZ + 0.01;
         let mut last: Option<f64> = None;

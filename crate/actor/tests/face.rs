@@ -1,4 +1,4 @@
-//! Properties of the way from the controls of a face to a figure without tissue.
+//! Properties of the conversion from face controls to a figure without tissue.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
@@ -69,7 +69,7 @@ fn random(seed: u64) -> FaceControls {
     let mut id = 0;
     let mut signed = |most: f64| {
         id += 1;
-        // Half of them small, some none at all.
+        // Half of the values are small, some are zero.
         let x = noise::signed(seed, id, 0);
         1.2 * most * x * noise::unit(seed, id, 1)
     };
@@ -131,8 +131,14 @@ fn weights_are_shares_and_the_jaw_stays_in_its_joint_whatever_is_asked() {
             assert!((0.0..=1.0).contains(weight), "{name}: {weight}, {seed}");
         }
         let chin = face.pose.rotation(Bone::Chin);
-        assert!((chin.length() - 1.0).abs() < 1e-12 && chin.angle_between(DQuat::IDENTITY) < 0.37);
-        assert!(face.pose.jaw_offset_in_skull.length() < Jaw::MAX_SLIDE_M);
+        assert!(
+            (chin.length() - 1.0).abs() < 1e-12 && chin.angle_between(DQuat::IDENTITY) < 0.37,
+            "the chin is a rotation within the range of the jaw"
+        );
+        assert!(
+            face.pose.jaw_offset_in_skull.length() < Jaw::MAX_SLIDE_M,
+            "the jaw slides less than its maximum"
+        );
         for lid in face.pose.upper_lid_rad {
             assert!((-0.3..=0.8 + 1e-12).contains(&lid), "{lid}");
         }
@@ -155,7 +161,7 @@ fn a_mirrored_face_has_mirrored_weights() {
             let found = other.weight(&there);
             assert!((f64::from(*weight) - found).abs() < 1e-6, "{name}");
         }
-        // Of a symmetric face both halves are the same to the bit, and nothing goes aside.
+        // Both halves of a symmetric face are equal to the bit, and nothing moves sideways.
         for muscle in Muscle::all() {
             let own = controls.contraction[muscle.index()];
             controls.contraction[muscle.mirrored().index()] = own;
@@ -204,10 +210,16 @@ fn at_the_teeth_the_lower_lip_is_rolled_in_and_not_pulled_away() {
         controls.bite = 1.0;
         controls.seal = 0.0;
         face.show(&controls);
-        assert!(face.weight("mouthRollLower") >= 0.75 - 1e-6);
+        assert!(
+            face.weight("mouthRollLower") >= 0.75 - 1e-6,
+            "the lower lip is rolled in"
+        );
         assert_eq!(face.weight("mouthLowerDown"), 0.0);
         assert_eq!(face.weight("mouthShrugLower"), 0.0);
-        assert!(face.weight("mouthUpperUp") >= 0.25 - 1e-6);
+        assert!(
+            face.weight("mouthUpperUp") >= 0.25 - 1e-6,
+            "the upper lip is raised"
+        );
     }
 }
 
@@ -313,7 +325,10 @@ fn small_changes_make_small_changes() {
                 assert!((a - b).abs() < 0.008, "{}: {a} {b}", face.names[k]);
             }
             for (a, b) in lids.iter().zip(face.pose.upper_lid_rad) {
-                assert!((a - b).abs() < 0.01);
+                assert!(
+                    (a - b).abs() < 0.01,
+                    "small changes of the input make small changes"
+                );
             }
             last.copy_from_slice(&face.weights);
             lids = face.pose.upper_lid_rad;

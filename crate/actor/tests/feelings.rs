@@ -1,4 +1,4 @@
-//! Emotions and control parameters in a whole actor: what a figure's face, head and eyes do.
+//! Emotions and control parameters in a whole actor: effects on face, head and eyes.
 
 use raconteur_actor::parameters::{Adsr, Parameter, ParameterCommand};
 use raconteur_actor::{Actor, Affect, EmotionSpan, FaceRig, ParameterScript, Performance};
@@ -56,8 +56,14 @@ fn looks_down(pose: &Pose) -> [f64; 2] {
 fn sadness_shows_in_muscles_lids_eyes_and_head() {
     let sad = actor(vec![felt("distress")], Vec::new());
     let (calm, low) = (sad.controls(0.0), sad.controls(3.0));
-    assert!(contraction(&low, Muscle::DepressorAnguliLeft) > 0.5);
-    assert!(contraction(&calm, Muscle::ZygomaticusMajorLeft) > 0.1);
+    assert!(
+        contraction(&low, Muscle::DepressorAnguliLeft) > 0.5,
+        "sadness lowers the corners of the mouth"
+    );
+    assert!(
+        contraction(&calm, Muscle::ZygomaticusMajorLeft) > 0.1,
+        "the calm face keeps a slight smile"
+    );
     let smile = contraction(&low, Muscle::ZygomaticusMajorLeft);
     assert!(smile < 0.01, "the smile is gone: {smile}");
     let (before, after) = (looks_down(&pose(&sad, 0.0)), looks_down(&pose(&sad, 3.0)));
@@ -65,7 +71,7 @@ fn sadness_shows_in_muscles_lids_eyes_and_head() {
         (after[0] - before[0] - 0.1).abs() < 0.02,
         "{before:?} {after:?}"
     );
-    // The eyes make up for what the head is lower, and look down by their own angle.
+    // The eyes compensate the lowered head, and look down by their own angle.
     assert!(after[1] - before[1] > 0.03, "{before:?} {after:?}");
 }
 
@@ -96,11 +102,14 @@ fn a_face_that_feels_and_speaks_by_parameters_stays_in_its_ranges_and_never_jump
         limited.limit();
         assert_eq!(limited, now);
         for (a, b) in now.contraction.iter().zip(last.contraction) {
-            // Parameters come within 0.15 s, at 1.5 times the mean speed; two of them, an
-            // emotion and a closure may come together.
+            // Parameters reach their values within 0.15 s, at 1.5 times the mean speed; two of
+            // them, an emotion and a closure may coincide.
             assert!((a - b).abs() < 4.0 * 1.5 / 150.0, "{i}: {a} {b}");
         }
-        assert!((now.blush - last.blush).abs() < 2.0 * 1.5 / 150.0);
+        assert!(
+            (now.blush - last.blush).abs() < 2.0 * 1.5 / 150.0,
+            "the blush does not jump"
+        );
         last = now;
     }
     let pressed = all.controls(2.39);
@@ -121,5 +130,8 @@ fn the_script_turns_the_eyes() {
     let (to, from) = (eye(&aside), eye(&ahead));
     let yaw = |v: DVec3| ops::atan2(v.x, v.z);
     assert!((yaw(to) - yaw(from) - 0.2).abs() < 0.01, "{to} {from}");
-    assert!((ops::asin_clamped(to.y) - ops::asin_clamped(from.y) - 0.1).abs() < 0.01);
+    assert!(
+        (ops::asin_clamped(to.y) - ops::asin_clamped(from.y) - 0.1).abs() < 0.01,
+        "the script turns the eyes by its angle"
+    );
 }

@@ -1,4 +1,4 @@
-//! What single gestures look like: courses, phases, the speed of free movements, stillness.
+//! Properties of single gestures: courses, phases, the speed of free motion, stillness.
 
 use std::sync::Arc;
 
@@ -91,10 +91,13 @@ fn wrists_follow_the_profile_of_their_key() {
             assert!(found.distance(expected) < 1e-9, "{profile:?} at {s}");
         }
     }
-    // Overshoot goes past the key and comes back.
+    // The profile overshoots the key and returns.
     let plan = course(by(Profile::Hermite([0.0, -2.0])));
     let past = |t: f64| (plan.sample(t).wrist - FROM).dot(TO - FROM) / (TO - FROM).length_squared();
-    assert!(past(2.8) > 1.1 && (past(3.0) - 1.0).abs() < 1e-9);
+    assert!(
+        past(2.8) > 1.1 && (past(3.0) - 1.0).abs() < 1e-9,
+        "the wrist overshoots and returns to its key"
+    );
 }
 
 #[test]
@@ -109,9 +112,15 @@ fn profiles_of_several_keys_make_a_piecewise_one() {
     };
     let plan = plan(&[stroke(2.0, 3.0, &[key(2.0, FROM), middle, last])]);
     let way = |t: f64| plan.sample(t).wrist.distance(FROM) / TO.distance(FROM);
-    assert!((way(2.25) - 0.4).abs() < 1e-9);
+    assert!(
+        (way(2.25) - 0.4).abs() < 1e-9,
+        "the first part of the piecewise profile"
+    );
     let expected = 0.8 + 0.2 * Profile::Hermite([3.0, 0.0]).sample(0.5);
-    assert!((way(2.75) - expected).abs() < 1e-9);
+    assert!(
+        (way(2.75) - expected).abs() < 1e-9,
+        "the second part of the piecewise profile"
+    );
 }
 
 #[test]
@@ -139,16 +148,25 @@ fn by_joint_the_elbow_turns_steadily_and_the_wrist_swings() {
     };
     let plan = course(joint(Profile::Linear));
     let straight = course(by(Profile::Linear));
-    assert!(plan.sample(2.0).wrist.distance(FROM) < 1e-9);
-    assert!(plan.sample(3.0).wrist.distance(TO) < 1e-9);
+    assert!(
+        plan.sample(2.0).wrist.distance(FROM) < 1e-9,
+        "the wrist starts at its first key"
+    );
+    assert!(
+        plan.sample(3.0).wrist.distance(TO) < 1e-9,
+        "the wrist ends at its last key"
+    );
     let bent = plan.sample(2.5).wrist.distance(straight.sample(2.5).wrist);
     assert!(bent > 0.01, "{bent} m");
-    // The shoulder is where the posture has it, so the distance to it tells the elbow.
+    // The posture determines the shoulder, so the distance to it determines the elbow.
     let skeleton = Skeleton::example();
     let rig = ArmRig::new(&skeleton, Side::Right, &Build::default());
     let [a, b] = [FROM, TO].map(|p| rig.posture(p));
     let expected = rig.wrist_of(&a.lerp(&b, 0.25));
-    assert!(plan.sample(2.25).wrist.distance(expected) < 3e-3);
+    assert!(
+        plan.sample(2.25).wrist.distance(expected) < 3e-3,
+        "the wrist is halfway along its arc"
+    );
 }
 
 #[test]
@@ -177,7 +195,7 @@ fn hands_and_fingers_follow_the_profile_of_their_key() {
         let [from, to] = [first.shape, second.shape].map(|s| s.expect("a shape"));
         let expected = from.lerp(&to, s);
         assert!(found.shape.greatest_difference(&expected) < 1e-9, "{s}");
-        // What has no key of its own stays.
+        // A feature without keys does not move.
         assert!(found.wrist.distance(FROM) < 1e-9, "{s}");
     }
 }
@@ -194,20 +212,32 @@ fn phases_take_the_times_that_the_script_gives_them() {
     ]);
     let at = |t: f64| plan.sample(t).wrist;
     let rest = at(0.0);
-    // The preparation begins when it says, and not when the planner would.
-    assert!(at(1.0).distance(rest) < 1e-9 && at(1.15).distance(rest) > 1e-4);
-    assert!(at(2.2).distance(FROM) < 1e-9);
+    // The preparation begins at its scripted time, not at the planner's.
+    assert!(
+        at(1.0).distance(rest) < 1e-9 && at(1.15).distance(rest) > 1e-4,
+        "the preparation starts at its scripted time"
+    );
+    assert!(
+        at(2.2).distance(FROM) < 1e-9,
+        "the stroke starts at its first position"
+    );
     for t in [2.3, 2.6, 2.9] {
         assert!(at(t).distance(FROM) < 1e-9, "{t}");
     }
-    // A hold is longer than anybody's own.
+    // The hold is longer than the planner's own holds.
     for t in [3.4, 4.0, 5.0, 5.4] {
         assert!(at(t).distance(TO) < 1e-9, "{t}");
     }
     let partial = at(6.0);
-    assert!(partial.distance(TO) > 0.05 && partial.distance(rest) > 0.05);
+    assert!(
+        partial.distance(TO) > 0.05 && partial.distance(rest) > 0.05,
+        "the interrupted retraction is between both positions"
+    );
     assert_eq!(plan.state_at(6.5), HandState::Busy);
-    assert!(at(7.4).distance(rest) > 1e-5 && at(7.5).distance(rest) < 1e-9);
+    assert!(
+        at(7.4).distance(rest) > 1e-5 && at(7.5).distance(rest) < 1e-9,
+        "the retraction ends at its scripted time"
+    );
     assert_eq!(plan.state_at(7.6), HandState::Rest);
 }
 
@@ -219,7 +249,10 @@ fn a_first_key_with_a_course_is_reached_by_it_from_the_beginning_of_its_stroke()
     };
     let plan = plan(&[stroke(2.0, 2.5, &[key(2.0, FROM)]), stroke(3.0, 4.0, &[to])]);
     let way = |t: f64| plan.sample(t).wrist.distance(FROM) / TO.distance(FROM);
-    assert!(way(3.0) < 1e-9);
+    assert!(
+        way(3.0) < 1e-9,
+        "the first key starts its path at the stroke"
+    );
     assert!((way(3.25) - 0.25).abs() < 1e-9, "{}", way(3.25));
 }
 
@@ -244,7 +277,10 @@ fn gestures_at_one_time_join_by_feature() {
         );
     }
     let wanted = shape.expect("a shape");
-    assert!(both.sample(2.5).shape.greatest_difference(&wanted) < 1e-9);
+    assert!(
+        both.sample(2.5).shape.greatest_difference(&wanted) < 1e-9,
+        "the joined gesture has the wanted hand shape"
+    );
 }
 
 #[test]
@@ -333,8 +369,14 @@ fn hands_that_have_too_far_to_go_come_late_and_say_so() {
     let plan = plan(&[stroke(2.0, 2.2, &[key(2.0, FROM), key(2.02, TO)])]);
     let late = plan.keys().iter().find(|k| k.time_secs == 2.02);
     let late = late.expect("the key");
-    assert!(late.arrives_secs > 2.1 && late.arrives_secs < 2.3);
-    assert!(plan.sample(late.arrives_secs).wrist.distance(TO) < 1e-9);
+    assert!(
+        late.arrives_secs > 2.1 && late.arrives_secs < 2.3,
+        "the late arrival is between 2.1 and 2.3 s"
+    );
+    assert!(
+        plan.sample(late.arrives_secs).wrist.distance(TO) < 1e-9,
+        "the late wrist arrives at its key"
+    );
     for i in 0..400 {
         let t = 1.0 + 0.005 * f64::from(i);
         let speed = plan.sample(t).wrist.distance(plan.sample(t + 1e-4).wrist) / 1e-4;
@@ -382,7 +424,7 @@ fn without_motion_a_figure_moves_only_as_the_script_says() {
     let still = Actor::new(&performance(0.0), &skeleton);
     let before = shown(&still, 0.0);
     for i in 0..90 {
-        // Before the stroke, in its hold, after it, and after the speech.
+        // Times before the stroke, in its hold, after it, and after the speech.
         let t = 0.1 * f64::from(i);
         assert!(shown(&still, t) == before, "at {t}");
         let later = 40.0 + 3.0 * t;

@@ -1,5 +1,5 @@
-//! Manipulators are independent (GEVH 3.3.2): what one limb does to the body takes no other from its
-//! target.
+//! Independence of manipulators (GEVH 3.3.2): the effect of one limb on the body moves no other
+//! limb off its target.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,4 +1,4 @@
-//! The shipped animations: every one is read, closes, keeps to human joints, and stands.
+//! Shipped animations: each is readable, closes, stays within human joint ranges and stands.
 
 use std::fs;
 use std::path::PathBuf;
@@ -147,7 +147,7 @@ fn there_are_forty_and_the_lesson_has_its_steps() {
     let lesson = names
         .iter()
         .filter(|n| n.starts_with("step-") || n.starts_with("arms-"));
-    assert!(lesson.count() >= 28);
+    assert!(lesson.count() >= 28, "the lesson has at least 28 steps");
 }
 
 #[test]
@@ -158,7 +158,7 @@ fn loops_close_in_place_and_in_speed() {
             return;
         }
         let h = 1e-4;
-        // The second pass, so that both sides of the seam are in the loop.
+        // The second pass has both sides of the seam in the loop.
         let at = |t: f64| stage.world(&stage.pose(stage.seconds + t));
         let (before, now, after) = (at(-h), at(0.0), at(h));
         for bone in Bone::ALL {
@@ -170,7 +170,7 @@ fn loops_close_in_place_and_in_speed() {
             );
             let turned = [&before, &after].map(|w| turn(w).angle_between(turn(&now)) / h);
             let kink = into.distance(out);
-            // A kink of 0.15 m/s is what an arm does within a frame of film.
+            // A kink of 0.15 m/s is the change in an arm's speed within one film frame.
             if kink > 0.15 || (turned[0] - turned[1]).abs() > 1.0 {
                 found.push(format!("{name}: {} {kink:.2} m/s {turned:?}", bone.name()));
             }
@@ -187,7 +187,7 @@ fn a_foot_on_the_floor_stays_where_it_is() {
         for side in Side::BOTH {
             let ball = Bone::on(side, "metatarsal").index();
             let floor = zero[ball].translation.y;
-            // Where the ball of the foot came down, while it is down.
+            // The landing position of the ball of the foot, while it is down.
             let mut down: Option<DVec3> = None;
             let mut worst = (0.0_f64, 0.0);
             for (t, pose) in stage.poses() {

@@ -1,4 +1,4 @@
-//! How fast limbs led by manipulators turn: no snap, whatever their commands.
+//! Turning speed of limbs driven by manipulators: no command makes them snap.
 
 use core::f64::consts::FRAC_PI_2;
 use core::ops::Range;

@@ -1,4 +1,4 @@
-//! Exactness of the inverse kinematics of limbs: every solution, limits and reach.
+//! Exactness of the limbs' inverse kinematics: every solution, limits and reach.
 
 use raconteur_actor::limb::chain::{LimbBase, LimbRig};
 use raconteur_actor::limb::limits::{Sex, limits};
@@ -111,7 +111,10 @@ fn what_is_out_of_reach_is_projected_onto_the_boundary() {
                     (shortest * 0.99 * noise::unit(9, 2, i), shortest),
                 ] {
                     let (near, moved) = rig.projected(direction * distance, limited);
-                    assert!(moved && (near.length() - bound).abs() < 1e-12);
+                    assert!(
+                        moved && (near.length() - bound).abs() < 1e-12,
+                        "the target is moved onto the boundary"
+                    );
                     let frame = RigidFrame {
                         position: base.origin + near,
                         ..target
@@ -121,7 +124,10 @@ fn what_is_out_of_reach_is_projected_onto_the_boundary() {
                     let met = rig.posed(&found.as_slice()[0], &base).frame.position;
                     let on = (met - base.origin).length();
                     assert!((on - bound).abs() < 1e-7, "{side:?} {is_arm}: {on} {bound}");
-                    assert!((met - frame.position).length() < 1e-5);
+                    assert!(
+                        (met - frame.position).length() < 1e-5,
+                        "the limb reaches the projected target"
+                    );
                 }
             }
         }
@@ -210,8 +216,14 @@ fn every_branch_is_found() {
             let found = rig.table_solutions(&target, &base);
             for joints in found.as_slice() {
                 let met = rig.posed(joints, &base).frame;
-                assert!(met.position.distance(target.position) < 1e-7);
-                assert!(met.rotation.angle_between(target.rotation) < 1e-6);
+                assert!(
+                    met.position.distance(target.position) < 1e-7,
+                    "the branch reaches the target position"
+                );
+                assert!(
+                    met.rotation.angle_between(target.rotation) < 1e-6,
+                    "the branch reaches the target rotation"
+                );
             }
             let brute = by_brute_force(&rig, &base, &target);
             assert_eq!(found.as_slice().len(), brute.len(), "{side:?} {is_arm} {i}");
@@ -282,28 +294,70 @@ fn joints_turn_the_way_they_say() {
         (frame.position - base.origin, frame.rotation)
     };
     let (hanging, turn) = degrees(Limb::LeftArm, 0, 0.0);
-    assert!(hanging.y < -0.55 && hanging.x.abs() < 0.02);
+    assert!(
+        hanging.y < -0.55 && hanging.x.abs() < 0.02,
+        "the hanging arm points down"
+    );
     // Hanging: x down, y left, z front.
-    assert!((turn * DVec3::X).y < -0.99 && (turn * DVec3::Y).x > 0.99);
-    assert!(degrees(Limb::LeftArm, 0, 90.0).0.x > 0.55);
-    assert!(degrees(Limb::RightArm, 0, 90.0).0.x < -0.55);
+    assert!(
+        (turn * DVec3::X).y < -0.99 && (turn * DVec3::Y).x > 0.99,
+        "the hanging arm turns its axes"
+    );
+    assert!(
+        degrees(Limb::LeftArm, 0, 90.0).0.x > 0.55,
+        "the left arm rises outwards"
+    );
+    assert!(
+        degrees(Limb::RightArm, 0, 90.0).0.x < -0.55,
+        "the right arm rises outwards"
+    );
     for limb in [Limb::LeftArm, Limb::RightArm] {
-        assert!(degrees(limb, 1, 90.0).0.z > 0.55);
-        assert!(degrees(limb, 2, 90.0).0.z > 0.2);
+        assert!(
+            degrees(limb, 1, 90.0).0.z > 0.55,
+            "the second angle swings the arm forwards"
+        );
+        assert!(
+            degrees(limb, 2, 90.0).0.z > 0.2,
+            "the third angle turns the forearm forwards"
+        );
     }
-    assert!(degrees(Limb::LeftLeg, 0, 45.0).0.x > 0.5);
-    assert!(degrees(Limb::RightLeg, 1, 90.0).0.z > 0.8);
-    assert!(degrees(Limb::RightLeg, 2, 90.0).0.z < -0.3);
+    assert!(
+        degrees(Limb::LeftLeg, 0, 45.0).0.x > 0.5,
+        "the left leg spreads outwards"
+    );
+    assert!(
+        degrees(Limb::RightLeg, 1, 90.0).0.z > 0.8,
+        "the right leg swings forwards"
+    );
+    assert!(
+        degrees(Limb::RightLeg, 2, 90.0).0.z < -0.3,
+        "the right hip turns the shank backwards"
+    );
     // Pronation turns the thumb (front) inwards, a bent wrist the hand; the toes go down.
-    assert!((degrees(Limb::LeftArm, 3, 60.0).1 * DVec3::Z).x < -0.5);
-    assert!((degrees(Limb::RightArm, 3, 60.0).1 * DVec3::Z).x > 0.5);
-    assert!((degrees(Limb::LeftArm, 5, 60.0).1 * DVec3::X).x < -0.5);
-    assert!((degrees(Limb::LeftArm, 4, 30.0).1 * DVec3::X).z > 0.4);
-    assert!((degrees(Limb::LeftLeg, 4, 40.0).1 * DVec3::Z).y < -0.5);
+    assert!(
+        (degrees(Limb::LeftArm, 3, 60.0).1 * DVec3::Z).x < -0.5,
+        "the left wrist flexes inwards"
+    );
+    assert!(
+        (degrees(Limb::RightArm, 3, 60.0).1 * DVec3::Z).x > 0.5,
+        "the right wrist flexes inwards"
+    );
+    assert!(
+        (degrees(Limb::LeftArm, 5, 60.0).1 * DVec3::X).x < -0.5,
+        "the left forearm rolls inwards"
+    );
+    assert!(
+        (degrees(Limb::LeftArm, 4, 30.0).1 * DVec3::X).z > 0.4,
+        "the left hand bends aside"
+    );
+    assert!(
+        (degrees(Limb::LeftLeg, 4, 40.0).1 * DVec3::Z).y < -0.5,
+        "the left foot points down"
+    );
 }
 
 #[test]
 fn limits_are_those_of_the_sex() {
     let [male, female] = [Sex::Male, Sex::Female].map(|s| limits(Limb::LeftArm, s)[2].most_rad);
-    assert!(female > male);
+    assert!(female > male, "the female limit exceeds the male one");
 }

@@ -1,4 +1,4 @@
-//! What scripts of commands make manipulators do.
+//! Effects of command scripts on manipulators.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -71,7 +71,8 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
                 DVec3::new(0.5 * r(1, i), y, 0.3 + 0.2 * r(3, i)) * wild
             },
             rotation: if wild == 1.0 {
-                // Some way off the easy poses: a hand to the front, a foot down, a head upright.
+                // Poses some distance from the comfortable ones: a hand in front, a foot down, an
+                // upright head.
                 let off = DQuat::from_scaled_axis(DVec3::new(r(4, i), r(5, i), r(6, i)) * 0.8);
                 off * EASY[limb.index()]()
             } else {
@@ -109,7 +110,8 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
             7 | 8 => Motion::Function(Box::new(path.clone())),
             9 => Motion::JacobianTarget(place),
             10 => Motion::JacobianVelocity {
-                // Never behind the back, where the elbow has no steady way.
+                // Targets behind the back are excluded, because the elbow has no continuous path
+                // there.
                 linear: DVec3::new(r(31, i), r(32, i), r(33, i).abs()) * 0.3,
                 angular: DVec3::new(r(34, i), r(35, i), r(36, i)),
             },
@@ -151,8 +153,8 @@ fn random_scripts_move_without_jumps() {
     let (mut worst, mut place) = (0.0, String::new());
     for seed in 0..8 {
         let mut script = random_script(seed, 1.0);
-        // A hand that is held in the world while the figure walks away ends behind its back,
-        // where the elbow has no steady way.
+        // When the figure walks away, a hand held in the world ends behind its back, where the
+        // elbow has no continuous path.
         script.moves.clear();
         let actor = actor(script, seed);
         let mut last = pose_at(&actor, &skeleton, &face, 0.0);
@@ -182,7 +184,10 @@ fn wild_numbers_give_poses_all_the_same() {
         let actor = actor(random_script(seed, wild), seed);
         for i in 0..200 {
             let pose = pose_at(&actor, &skeleton, &face, f64::from(i) * 0.13);
-            assert!(pose.root_offset_in_world.is_finite());
+            assert!(
+                pose.root_offset_in_world.is_finite(),
+                "the root offset is finite"
+            );
             for rotation in pose.rotations {
                 assert!(rotation.is_finite() && rotation.is_normalized(), "{wild}");
             }
@@ -199,7 +204,7 @@ fn limits_hold_throughout_while_they_are_on() {
     script
         .commands
         .retain(|c| !matches!(c.motion, Motion::Configure { .. }) && c.limb != Limb::Head);
-    // Everything under control from before: a hold, then a second for limits to set in.
+    // Everything is under control beforehand: a hold, then a second for the limits to apply.
     for limb in Limb::ALL {
         script.commands.push(Command {
             time_secs: -1.0,
@@ -226,7 +231,7 @@ fn limits_hold_throughout_while_they_are_on() {
         for (side, is_arm, rig) in &rigs {
             let (side, is_arm) = (*side, *is_arm);
             let trunk = rig.trunk(&skeleton, &pose);
-            // Joint angles need the girdle's rotation, not its place.
+            // Joint angles need the girdle's rotation, not its position.
             let girdle = if is_arm {
                 let bone = [Bone::LScapula, Bone::RScapula][side.index()];
                 let at = raconteur_actor::kinematics::world_from_bone(&skeleton, &pose, bone);
@@ -270,7 +275,7 @@ fn what_has_no_end_goes_on_until_it_is_stopped() {
         period_secs: 2.0,
         looping: true,
     };
-    // So slow that it takes minutes, and a forearm that turns on and on.
+    // The motion is so slow that it takes minutes, and the forearm turns continuously.
     let slow = Motion::JacobianVelocity {
         linear: DVec3::new(0.0, 0.002, 0.0),
         angular: DVec3::ZERO,

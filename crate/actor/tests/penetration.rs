@@ -1,5 +1,5 @@
-//! That lips pass neither through each other nor through the teeth, measured on the meshes as
-//! they are drawn; knows nothing of how the tissue keeps them apart.
+//! Lip collisions: lips pass neither through each other nor through the teeth, measured on the
+//! rendered meshes, independently of the tissue's collision handling.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
@@ -103,7 +103,8 @@ impl Face {
                 is_in
                     .iter()
                     .zip(&is_bound)
-                    .all(|(lip, bound)| !lip || *bound)
+                    .all(|(lip, bound)| !lip || *bound),
+                "every lip vertex is bound"
             );
             let all = mesh.indices.chunks_exact(3);
             all.filter(|t| t.iter().all(|&v| is_in[v as usize]))
@@ -113,7 +114,7 @@ impl Face {
         let is_hard = |m: &&Mesh| m.name == "teeth" || m.name == "gums";
         let hard = self.figure.meshes.iter().filter(is_hard);
         let teeth: Vec<[DVec3; 3]> = hard.flat_map(|mesh| rigid(mesh, &jaw)).collect();
-        assert!(teeth.len() > 3000);
+        assert!(teeth.len() > 3000, "the teeth have more than 3000 vertices");
         Drawn { skin, lips, teeth }
     }
 }
@@ -178,7 +179,7 @@ fn lip_in_lip(own: &[[DVec3; 3]], other: &[[DVec3; 3]], up: DVec3) -> f64 {
             let (low, high) = (t[0].min(t[1]).min(t[2]), t[0].max(t[1]).max(t[2]));
             low.x <= p.x && p.x <= high.x && low.z <= p.z && p.z <= high.z
         };
-        // Surfaces on the way back out: the first skin of the other lip is behind p.
+        // Surfaces on the path back out: the first skin of the other lip is behind p.
         let near = other.iter().filter(|t| over(t));
         let beyond = near
             .filter_map(|t| crossing(*p, -up, t))
@@ -242,7 +243,10 @@ fn what_is_pushed_in_is_found() {
     let mut face = Face::read("sofia");
     let drawn = face.drawn(&FaceControls::default());
     assert_apart(&drawn, "at rest");
-    assert!(drawn.lips.iter().all(|l| l.len() > 1000) && drawn.skin.len() > 20_000);
+    assert!(
+        drawn.lips.iter().all(|l| l.len() > 1000) && drawn.skin.len() > 20_000,
+        "lips and skin have enough vertices"
+    );
     let moved = |l: usize, by: DVec3| -> Vec<[DVec3; 3]> {
         drawn.lips[l].iter().map(|t| t.map(|p| p + by)).collect()
     };

@@ -1,4 +1,4 @@
-//! Properties of animation players, over made-up scripts.
+//! Properties of animation players over generated scripts.
 
 mod clips;
 
@@ -18,7 +18,8 @@ fn nothing_played_leaves_the_pose_to_the_bit() {
         stage
             .players
             .apply(&stage.skeleton, 0.5, &mut pose)
-            .is_none()
+            .is_none(),
+        "no animation returns an offset"
     );
     assert_eq!(pose, Pose::zero());
     assert_eq!(stage.pose(9.0), idle(&stage.skeleton));
@@ -32,7 +33,7 @@ fn layers_are_averaged_by_their_weights() {
         (1.0, on(None, Some(vec![1]), push("right"))),
         (3.0, set(Some(vec![0]), Property::Weight, 0.75, 2.0)),
     ]);
-    // One layer alone counts wholly.
+    // A single layer counts fully.
     near(stage.turn(0.9), 40.0);
     near(stage.turn(2.0), 0.0);
     near(stage.turn(4.0), 10.0);
@@ -60,7 +61,10 @@ fn body_groups_keep_to_their_bones() {
     ]);
     near(stage.turn(1.9), 40.0);
     let pose = stage.pose(1.9);
-    assert!(pose.rotation(Bone::LElbow).w < 0.9);
+    assert!(
+        pose.rotation(Bone::LElbow).w < 0.9,
+        "the elbow of the group is bent"
+    );
     assert_eq!(
         pose.rotation(Bone::RElbow),
         Pose::zero().rotation(Bone::RElbow)
@@ -82,7 +86,7 @@ fn a_pose_player_blends_two_stances() {
     ]);
     near(stage.turn(0.5), 40.0);
     near(stage.turn(2.5), 20.0);
-    // An animation stands still at its beginning.
+    // An animation pauses at its start.
     near(stage.turn(4.0), -10.0);
     near(stage.turn(4.9), -10.0);
 }
@@ -101,7 +105,10 @@ fn hand_shapes_are_stances_of_the_library() {
         (0.0, on(None, None, push("hand-shape-14"))),
     ]);
     let pose = stage.pose(0.0);
-    assert!(pose.rotation(Bone::LIndex1).w < 0.75);
+    assert!(
+        pose.rotation(Bone::LIndex1).w < 0.75,
+        "the index finger of the hand shape is bent"
+    );
     assert_eq!(
         pose.rotation(Bone::RIndex1),
         Pose::zero().rotation(Bone::RIndex1)
@@ -158,7 +165,7 @@ fn speed_is_integrated_and_may_be_negative() {
         (2.0, set(None, Property::Speed, -1.0, 0.0)),
     ]);
     near(stage.turn(0.5), 10.0);
-    // Half a second more on the way to a stand.
+    // The transition to a stop adds half a second of motion.
     near(stage.turn(1.5), 20.0);
     near(stage.turn(2.0), 20.0);
     near(stage.turn(2.5), 10.0);
@@ -211,7 +218,7 @@ fn the_highest_priority_moves_a_bone() {
     near(stage.turn(3.9), 40.0);
     near(stage.turn(4.9), -40.0);
     near(stage.turn(5.9), 0.0);
-    // The one without a name is the first, though it came later.
+    // The player without a name is the first, although it was added later.
     let unnamed = Stage::new(vec![
         (0.0, add("a", ONE, BoneSet::ALL)),
         (0.0, add("", ONE, BoneSet::ALL)),
@@ -221,7 +228,7 @@ fn the_highest_priority_moves_a_bone() {
     ]);
     near(unnamed.turn(0.9), 40.0);
     near(unnamed.turn(1.9), -40.0);
-    // Where no other player moves the bone, a change of order is not seen: no dip at 1.2 s.
+    // Where no other player moves the bone, a change of order has no effect: no dip at 1.2 s.
     let lone = Stage::new(vec![
         (0.0, add("a", ONE, BoneSet::ALL)),
         (0.0, on(None, None, push("left"))),

@@ -1,4 +1,4 @@
-//! Properties of animation players, over random scripts.
+//! Properties of animation players over random scripts.
 
 mod clips;
 
@@ -100,8 +100,8 @@ proptest! {
             for bone in Bone::ALL {
                 let (p, q) = (a.rotation(bone), b.rotation(bone));
                 prop_assert!(p.is_finite() && p.is_normalized());
-                // A knee that stretches turns without bound; half a thousandth of a radian
-                // in 0.2 µs is still no pop.
+                // A stretching knee turns without bound; half a thousandth of a radian in 0.2 µs is
+                // still no jump.
                 let turned = p.angle_between(q);
                 prop_assert!(turned < 5e-4, "{} turns {turned} at {t}", bone.name());
             }
@@ -119,8 +119,8 @@ proptest! {
         let (players, _) = Players::new(&PlayerScript { commands }, &library(), &skeleton, Sex::Male, ArmRig::both(&skeleton, &Build::default()));
         let step = 1.0 / 120.0;
         let mut last = pose(&players, &skeleton, 0.0);
-        // Two stances of a joint lie at most 80° apart here, a clip goes by 3 × 40°/s, and
-        // legs by what the feet ask.
+        // Two stances of a joint differ by at most 80° here, a clip moves by 3 × 40°/s, and legs
+        // follow the feet.
         let most = 80f64.to_radians() * 1.875 * step / raconteur_actor::animation::AT_ONCE_SECS;
         for i in 1..600 {
             let next = pose(&players, &skeleton, f64::from(i) * step);

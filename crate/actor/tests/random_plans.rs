@@ -186,7 +186,7 @@ fn wrists_are_at_their_keys_at_the_time_of_the_key() {
             }
         }
     }
-    assert!(count > 500);
+    assert!(count > 500, "more than 500 keys are checked");
     assert!(worst < 1e-3, "{worst} m");
 }
 
@@ -209,9 +209,13 @@ fn poses_are_rotations_and_weights_are_shares_at_every_time() {
                     .pose
                     .eyes
                     .iter()
-                    .all(|q| q.is_finite() && q.is_normalized())
+                    .all(|q| q.is_finite() && q.is_normalized()),
+                "all eye rotations are finite and normalised"
             );
-            assert!(stage.morphs.iter().all(|w| (0.0..=1.0).contains(w)));
+            assert!(
+                stage.morphs.iter().all(|w| (0.0..=1.0).contains(w)),
+                "all morph weights are between 0 and 1"
+            );
         }
     }
 }
@@ -330,11 +334,17 @@ fn impossible_scripts_neither_panic_nor_spread() {
     let actor = Actor::new(&performance, &stage.skeleton);
     for i in 0..400 {
         stage.evaluate(&actor, f64::from(i) * 0.1);
-        assert!(stage.pose.rotations.iter().all(|q| q.is_finite()));
+        assert!(
+            stage.pose.rotations.iter().all(|q| q.is_finite()),
+            "all rotations are finite"
+        );
     }
     stage.evaluate(&actor, f64::NAN);
     stage.evaluate(&actor, 1e12);
-    assert!(stage.pose.rotations.iter().all(|q| q.is_finite()));
+    assert!(
+        stage.pose.rotations.iter().all(|q| q.is_finite()),
+        "all rotations are finite after the script"
+    );
 }
 
 #[test]
@@ -413,7 +423,7 @@ fn a_wrist_passes_keys_that_only_turn_the_hand() {
     let actor = Actor::new(&performance, &Skeleton::example());
     stage.evaluate(&actor, 2.3);
     let way = stage.wrist(Side::Right).distance(from) / to.distance(from);
-    // The palm's key does not touch the wrist's way: what the profile says for 0.3 of 0.8 s.
+    // The palm's key does not affect the wrist's path: the profile at 0.3 of 0.8 s.
     let expected = raconteur_base::curve::minimum_jerk(0.3 / 0.8);
     assert!((way - expected).abs() < 0.02, "{way}, not {expected}");
 }

@@ -1,4 +1,5 @@
-//! What the fuzz target of animations has kept, the shipped animations, and cuts of those.
+//! Saved inputs of the animation fuzz target, the shipped animations, and truncated copies of
+//! those.
 
 mod holds;
 

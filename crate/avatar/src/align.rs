@@ -1,5 +1,5 @@
-//! Turns, scales and places a foreign figure as ours stand: upright, facing +z, in metres,
-//! soles at zero.
+//! Alignment of an imported avatar with the generated figures: upright, facing +z, in metres, soles
+//! at zero.
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 
@@ -155,7 +155,7 @@ impl RestStance {
         } else {
             hips.y * scale - HIPS_SHARE * stature_m
         };
-        // The hips stand a little behind the ankles' middle, as in our own figures.
+        // The hips are slightly behind the midpoint of the ankles, as in generated figures.
         let offset = DVec3::new(-hips.x * scale, -floor, -0.012 * stature_m - hips.z * scale);
         Ok(Alignment {
             ours_from_theirs: DAffine3::from_scale_rotation_translation(
@@ -171,7 +171,8 @@ impl RestStance {
 /// Returns the rotation about the vertical that brings `across`, which points to the left, to +x.
 fn facing(across: DVec3) -> DQuat {
     let yaw = ops::atan2(-across.z, across.x);
-    // A figure that faces nearly along an axis is meant to; symmetry is kept exact.
+    // A figure that faces nearly along an axis is meant to face along it; the exact symmetry is
+    // preserved.
     let quarter = core::f64::consts::FRAC_PI_2;
     let nearest = (yaw / quarter).round() * quarter;
     let yaw = if (yaw - nearest).abs() < 0.06 {

@@ -1,9 +1,9 @@
-//! Takes the animations of foreign files: they become clips that any figure can play.
+//! Import of animations: clips from other files become clips for any figure.
 //!
-//! Each bone turns in the world as it turns in the file, from the file's rest pose; where the
-//! rest pose differs from our zero pose, that difference is already known from taking in the
-//! figure. What comes out is the text of a clip (`docs/animation.md`) with a key for every
-//! 30th of a second, so that a page's player needs to know one format only.
+//! Each bone turns in the world as in the file, relative to the file's rest pose; the difference
+//! between the rest pose and the zero pose is known from the import of the figure. The result is
+//! the text of a clip (`docs/animation.md`) with a key for every 30th of a second, so that a page's
+//! player needs only one format.
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3};
 use serde_json::{Map, Value, json};
@@ -296,7 +296,7 @@ impl Sampler<'_> {
                     let delta = turned(&world[node]) * turned(&self.tree.world[node]).inverse();
                     (self.turn * delta * self.turn.inverse()).normalize()
                 }
-                // What the file does not have goes with what it hangs on.
+                // A bone missing from the file moves with its parent.
                 None => parent.map_or(DQuat::IDENTITY, |p| deltas[p]),
             };
             ours[i] = (deltas[i] * self.bind[i]).normalize();
@@ -317,7 +317,7 @@ fn text(samples: &[(Pose, f64)], length: f64, humanoid: &Humanoid) -> String {
     let round = |x: f64| (x * 1e5).round() / 1e5;
     let mut tracks = Map::new();
     for bone in Bone::ALL {
-        // Where the file has no bone, other layers may move it.
+        // Other layers may move a bone that the file lacks.
         if humanoid.get(bone).is_none() {
             continue;
         }

@@ -1,4 +1,4 @@
-//! Foreign geometry on our joints.
+//! Binding of imported geometry to the joints of this skeleton.
 
 use raconteur_base::{DVec3, Side};
 

@@ -1,4 +1,5 @@
-//! What a page calls. The wasm file is apart from the player's: most pages never load it.
+//! Functions exported to web pages. The wasm file is separate from the player's, because most pages
+//! never load it.
 
 use raconteur_body::figure::Image;
 use raconteur_reshape::{Look, NewFace, NewOrgans};

@@ -1,7 +1,7 @@
-//! From a file's bytes to one JSON tree with one buffer.
+//! Conversion of a file's bytes to one JSON tree with one buffer.
 //!
-//! Binary files have one buffer; text files may spread data over several, each a data
-//! address. Joining them here lets everything after know one kind of file.
+//! Binary files have one buffer; text files may spread data over several data URLs. Joining them
+//! here gives all later stages one kind of file.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -202,7 +202,7 @@ fn place(view: &Value, bases: &[(u64, u64)]) -> Result<Range<usize>, ReadError> 
     let end = from.checked_add(view["byteLength"].as_u64().unwrap_or(0));
     let end = end.filter(|end| *end <= length);
     let end = end.ok_or(ReadError::Truncated { what })?;
-    // Buffers that are there are in memory, so that their places fit.
+    // Existing buffers are in memory, so the offsets fit.
     Ok((base + from) as usize..(base + end) as usize)
 }
 

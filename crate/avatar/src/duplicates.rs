@@ -1,6 +1,6 @@
-//! Other skeletons in the same file, such as clothes with bones of their own of the same names.
+//! Additional skeletons in the same file, such as clothes with own bones of the same names.
 //!
-//! A joint of theirs moves as the body's joint of its name does, and what hangs on it too.
+//! Their joints and all descendants move with the body's joint of the same name.
 
 use std::collections::HashMap;
 
@@ -29,7 +29,7 @@ pub(super) fn find(
     let body = PerformingSkeleton::from_humanoid(humanoid, tree);
     let (is_joint, tops) = (tree.joints(), tree.tops());
     let trunk = body.trunk_length(humanoid);
-    // Whether a skeleton stands where the body does, by its first joint that has a double.
+    // Whether a skeleton coincides with the body's, by its first joint with a duplicate.
     let mut stands: Vec<Option<bool>> = vec![None; tops.len()];
     let mut twins = Vec::new();
     for &node in tree.order.iter().filter(|&&n| is_joint[n]) {
@@ -139,7 +139,7 @@ impl<'a> PerformingSkeleton<'a> {
         let (slot, _) = slot_of(name)?;
         let mut parts = self.slots.iter().filter(|p| p.0 == slot).map(|p| p.1);
         match slot {
-            // Trunks are divided in many ways: the nearest joint counts.
+            // Trunks have varying numbers of joints; the nearest joint counts.
             NodeRole::Torso => parts.min_by(|&a, &b| {
                 let off = |n: usize| self.tree.place(n).distance(self.tree.place(node));
                 off(a).total_cmp(&off(b))

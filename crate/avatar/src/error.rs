@@ -1,4 +1,4 @@
-//! What can be wrong with a file, and what of it could not be kept.
+//! Errors in a file, and diagnostics for its unsupported parts.
 
 use raconteur_body::read::ReadError;
 

@@ -1,8 +1,8 @@
-//! The face's channels from whatever morph targets a figure has.
+//! Face channels from the morph targets of a figure.
 //!
-//! The actor moves targets of ARKit's names. A figure that has those is driven by them; for
-//! one that has visemes (Oculus' fifteen) or VRM's vowels, the same channels are made as
-//! sums of its targets, so that no later stage needs to know.
+//! The actor moves targets with ARKit names. A figure with those targets uses them directly. For
+//! one with visemes (Oculus' fifteen) or VRM's vowels, the same channels are sums of its targets,
+//! so that later stages need no special case.
 
 mod recipes;
 

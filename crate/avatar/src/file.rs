@@ -1,10 +1,10 @@
-//! A figure with a face of a face model, as a file that any story can use.
+//! Figure with a face of a face model, as a file for any story.
 
 use raconteur_body::annotation::annotations;
 use raconteur_body::figure::Image;
 use raconteur_body::read::{ReadError, read_figure};
 use raconteur_body::write::to_packed_glb;
-use raconteur_reshape::{HairDonor, Lenders, Look, NewFace, ReshapeError, Reshaper};
+use raconteur_reshape::{HairDonor, HairDonors, Look, NewFace, ReshapeError, Reshaper};
 
 /// Contents of a figure file.
 #[derive(Debug)]
@@ -41,10 +41,10 @@ pub enum FileError {
 /// When a figure cannot be read or cannot have the face.
 pub fn face_file(parts: FaceFile<'_>) -> Result<Vec<u8>, FileError> {
     let vertices = parts.face.skin.len() / 3;
-    // Its meshes keep their places, so names on them stay true.
+    // The meshes stay in place, so names on them stay valid.
     let names = annotations(parts.glb)?;
     let reshaper = Reshaper::new(read_figure(parts.name, parts.glb)?, vertices)?;
-    let mut lenders = Lenders::new();
+    let mut lenders = HairDonors::new();
     for (name, glb) in parts.lenders {
         let lender = HairDonor::new(&read_figure(&name, &glb)?, vertices)?;
         lenders.insert(name, lender);

@@ -1,9 +1,9 @@
-//! Our skeleton in a foreign figure: where its 54 bones lie, and how each is turned in the
-//! figure's rest pose relative to our zero pose.
+//! Skeleton of an imported avatar: the positions of its 54 bones, and the rotation of each in the
+//! avatar's rest pose relative to the zero pose.
 //!
-//! A rest pose may be anything from a T to hanging arms. A bone's turn is found from the
-//! line to the next joint; its twist from the bend of the elbow and the row of knuckles,
-//! and where these say nothing, from the shortest way round.
+//! A rest pose may be anything from a T to hanging arms. The line to the next joint determines a
+//! bone's direction; the bend of the elbow and the row of knuckles determine its twist, and
+//! otherwise the shortest rotation applies.
 
 use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Side, ops};
 
@@ -44,7 +44,7 @@ pub(super) fn rest(tree: &Tree<'_>, humanoid: &Humanoid, alignment: &Alignment) 
         found.places[bone.index()] = humanoid.get(bone).map(place_of);
     }
     for side in Side::BOTH {
-        // A hand of several joints lies in their middle.
+        // A hand of several joints is at their centre.
         let wrist = Bone::on(side, "wrist");
         let palms: Vec<DVec3> = humanoid
             .further
@@ -184,8 +184,8 @@ impl BoneFinder {
         let shank = self.along(thigh, knee, ankle_at - knee_at);
         self.set_turn(hip, thigh);
         self.set_turn(knee, shank);
-        // Who stands has flat feet, however they point; who does not is taken to have them
-        // at right angles to the shank. 20° divides the two.
+        // Standing figures have flat feet in any direction; for other figures, the feet are assumed
+        // perpendicular to the shank. The threshold is 20°.
         let stands = [knee_at - hip_at, ankle_at - knee_at]
             .iter()
             .all(|d| d.normalize_or_zero().y < -0.94);
@@ -266,7 +266,7 @@ impl BoneFinder {
             return self.along(forearm, wrist, middle - wrist_at);
         };
         let turn = DQuat::from_mat3(&(theirs * ours.transpose()));
-        // A wrist turns some 90° either way from palms down; more is a rig gone wrong.
+        // A wrist turns about 90° either way from palms down; more indicates a broken rig.
         if turn.angle_between(forearm) < 2.1 {
             turn
         } else {
@@ -292,7 +292,7 @@ impl BoneFinder {
                     });
                 let own = match next {
                     None => turn,
-                    // A thumb's axes do not lie along its joints in the source.
+                    // A thumb's axes do not follow its joints in the source.
                     Some(next) if finger == "thumb" && i < 2 => {
                         let ours = turn * self.example_offset(bone, row[i + 1]);
                         (next - here).try_normalize().map_or(turn, |d| {

@@ -1,8 +1,8 @@
-//! Vertices of a foreign file as they stand in its rest pose, in its own world.
+//! Vertices of an imported file in its rest pose, in its own world space.
 //!
-//! Skinned and rigid meshes alike are carried to the world by the nodes' placement, as any
-//! viewer shows the file when nothing moves; from then on only our skeleton counts. So
-//! several skins, skins with binds of their own, and scaled nodes need no further thought.
+//! The node transforms carry skinned and rigid meshes to the world, as any viewer shows the file
+//! without motion; from then on only this crate's skeleton counts. Multiple skins, skins with own
+//! bind matrices and scaled nodes therefore need no special handling.
 
 mod shapes;
 
@@ -311,7 +311,7 @@ impl<'a, 's> Reader<'a, 's> {
             4 if flat.len().is_multiple_of(3) => flat,
             5 => (0..flat.len().saturating_sub(2))
                 .flat_map(|i| {
-                    // Every second triangle of a strip runs the other way round.
+                    // Every second triangle of a strip has the opposite winding.
                     let odd = i % 2;
                     [flat[i], flat[i + 1 + odd], flat[i + 2 - odd]]
                 })
@@ -351,7 +351,7 @@ impl<'a, 's> Reader<'a, 's> {
                 Self::same(self.source.dense(w, "weights")?, count, "weights")?;
             for (v, (quad, weight)) in quads.into_iter().zip(weights).enumerate() {
                 for k in 0..4 {
-                    // Exporters leave any number where the weight is nothing.
+                    // Exporters leave arbitrary joint numbers where the weight is zero.
                     if weight[k] <= 0.0 {
                         continue;
                     }
@@ -375,7 +375,7 @@ impl<'a, 's> Reader<'a, 's> {
             if sum > 0.0 && sum.is_finite() {
                 *share = share.map(|w| w / sum);
             } else {
-                // A vertex that nothing carries hangs on the skin's first joint.
+                // A vertex without weights belongs to the skin's first joint.
                 *share = [0.0; INFLUENCES];
                 share[0] = 1.0;
             }

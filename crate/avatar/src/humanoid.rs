@@ -1,4 +1,4 @@
-//! Which node is which bone.
+//! Mapping from nodes to bones.
 
 use raconteur_base::Side;
 use serde_json::Value;
@@ -172,7 +172,7 @@ impl Humanoid {
                 .map_or(0, |i| i + 1);
             neck = between.split_off(first_of_neck);
             if first_of_neck == 0 {
-                // The arms hang on the hips: names must tell trunk from neck.
+                // If the arms are attached to the hips, names must distinguish trunk from neck.
                 let named_neck = self.get(Bone::Cervical);
                 let cut = neck.iter().position(|&n| Some(n) == named_neck);
                 let rest = neck.split_off(cut.unwrap_or(neck.len()));
@@ -190,14 +190,14 @@ impl Humanoid {
                 away(*a).total_cmp(&away(*b))
             });
         }
-        // Nodes at one place (a foot's joint and the mesh below it) play one part.
+        // Nodes at one position (a foot's joint and the mesh below it) have one role.
         let start = tree.place(hips);
         let end = neck.first().map_or(tree.place(head), |&n| tree.place(n));
         let along = |n: usize| {
             let axis = end - start;
             (tree.place(n) - start).dot(axis) / axis.length_squared().max(1e-30)
         };
-        // Our thoracic joint stands at 0.55 of the way from hips to neck.
+        // The thoracic joint is at 0.55 of the distance from hips to neck.
         let chest = (usize::from(between.len() > 1)..between.len()).min_by(|&a, &b| {
             let off = |i: usize| (along(between[i]) - 0.55).abs();
             off(a).total_cmp(&off(b))
@@ -342,7 +342,7 @@ fn vrm_bones(json: &Value, node_count: usize) -> Option<Vec<(usize, String)>> {
 fn candidates(tree: &Tree<'_>) -> Vec<(usize, String)> {
     let root = tree.root;
     let mut is_joint = tree.joints();
-    // Parents of joints too: some exporters skin nothing to the hips.
+    // The parents of joints count too: some exporters skin nothing to the hips.
     for &node in tree.order.iter().rev() {
         if let (true, Some(p)) = (is_joint[node], tree.parents[node]) {
             is_joint[p] = true;

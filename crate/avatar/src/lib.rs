@@ -1,13 +1,15 @@
-//! Takes other people's avatars: any humanoid glTF, GLB or VRM becomes a [`Figure`].
+//! Avatar import: converts any humanoid glTF, GLB or VRM to a [`Figure`].
 //!
-//! Does: find the bones by VRM's table or by their names, stand the figure as ours stand,
-//! find how its rest pose differs from our zero pose, bind its skin to our joints, and make
-//! the face's channels from its morph targets. What cannot be kept is a [`Diagnostic`], what
-//! cannot be used an [`ImportError`]; no file makes it panic or take memory without bound.
-//! [`face_file`] writes a figure with a face of a face model. [`convert_animation`] makes clips of a file's animations.
-//! Does not: keep spring bones, cameras or lights; decode pictures.
+//! Scope: the crate finds the bones by VRM's table or by their names, aligns the avatar with
+//! generated figures, determines the difference between its rest pose and the zero pose, binds its
+//! skin to the joints, and makes the face channels from its morph targets. Parts that cannot be
+//! kept are a [`Diagnostic`], unusable files an [`ImportError`]; no file causes a panic or
+//! unbounded memory use. [`face_file`] writes a figure with a face of a face model.
+//! [`convert_animation`] makes clips of a file's animations.
+//! Out of scope: spring bones, cameras, lights and image decoding.
 //!
-//! A page loads this apart from the player and hands the player what [`convert`] makes.
+//! A page loads this crate separately from the player and passes the output of [`convert`] to the
+//! player.
 
 mod align;
 mod animation;
@@ -77,7 +79,7 @@ pub fn open_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> {
             figure,
             diagnostics: Vec::new(),
         }),
-        // What our reader does not know may still be an avatar.
+        // A file that the figure reader does not accept may still be an avatar.
         Err(ReadError::NotGlb(_) | ReadError::Extension(_) | ReadError::NoSkeleton { .. }) => {
             import_figure(name, bytes)
         }
@@ -105,7 +107,7 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
     let mut humanoid = humanoid::Humanoid::find(json, &tree, &mut notes)?;
     humanoid.twins = duplicates::find(&humanoid, &tree, &mut notes);
     let mut source = Source::with_budget(&root, MAX_NUMBERS);
-    // VRM promises that its nodes stand in a T.
+    // VRM guarantees that its nodes are in a T-pose.
     if !humanoid::has_vrm_table(json)
         && let Some(world) = unposed::world(&tree, &humanoid, &mut source)?
     {

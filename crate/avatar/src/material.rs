@@ -1,4 +1,4 @@
-//! Surfaces and pictures of a foreign file.
+//! Materials and images of an imported file.
 
 use raconteur_base::ops;
 use serde_json::Value;
@@ -85,8 +85,8 @@ impl ImageTable {
         let texture = items(json, "textures")
             .get(texture)
             .ok_or(ReadError::OutOfRange { what })?;
-        // What an extension offers beside this picture is a choice for those who read it; a
-        // texture whose picture comes by an extension alone shows nothing.
+        // Images from extensions are alternatives for programs that support them; a texture with
+        // only an extension image shows nothing.
         let place = match index(&texture["source"]) {
             Some(image) => *self
                 .places
@@ -166,7 +166,7 @@ pub(super) fn surface(
             .ok_or(ReadError::OutOfRange { what })?,
     };
     let pbr = &m["pbrMetallicRoughness"];
-    // Older files give diffuse and gloss.
+    // Older files specify diffuse and gloss.
     let gloss = &m["extensions"]["KHR_materials_pbrSpecularGlossiness"];
     let old = gloss.is_object();
     let (factor, color) = if old {
@@ -178,7 +178,7 @@ pub(super) fn surface(
     for (i, c) in base_color.iter_mut().enumerate() {
         *c = number(&factor[i], 1.0, what)?.clamp(0.0, 1.0) as f32;
     }
-    // Opaque surfaces ignore alpha; cut ones have it in their picture.
+    // Opaque materials ignore alpha; cut-out materials have it in their image.
     if m["alphaMode"].as_str() != Some("BLEND") {
         base_color[3] = 1.0;
     }

@@ -1,8 +1,8 @@
-//! Which bone a foreign name means.
+//! Mapping from imported names to bones.
 //!
-//! One grammar serves VRM's humanoid names, Mixamo, Ready Player Me, Blender's rigs, Biped,
-//! Unreal, Daz and their like: a name is cut into words, words that say nothing and the
-//! word of the side are taken out, and the rest is looked up.
+//! One grammar covers VRM's humanoid names, Mixamo, Ready Player Me, Blender's rigs, Biped, Unreal,
+//! Daz and similar conventions: it splits a name into words, removes meaningless words and the word
+//! of the side, and looks up the rest.
 
 use raconteur_base::Side;
 

@@ -1,4 +1,4 @@
-//! Views that `EXT_meshopt_compression` has compressed, with its filters.
+//! Views compressed by `EXT_meshopt_compression`, with its filters.
 
 use meshoptimizer_rs::codec::{BufferView, Filter, Mode};
 use meshoptimizer_rs::{Error, Workspace};

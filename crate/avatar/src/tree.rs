@@ -1,4 +1,4 @@
-//! The nodes of a foreign file.
+//! Nodes of an imported file.
 
 use raconteur_base::{DAffine3, DVec3};
 

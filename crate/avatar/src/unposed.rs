@@ -1,8 +1,8 @@
-//! The pose a figure was skinned in, where its nodes stand in another.
+//! Bind pose of a figure whose nodes are in another pose.
 //!
-//! Many files are saved in the midst of a movement. The inverse bind matrices still hold the
-//! pose in which the modeller bound the skin, mostly a T or an A, and that is a better rest
-//! than a step or a turn of the trunk.
+//! Many files are saved in the middle of a movement. The inverse bind matrices still contain the
+//! pose in which the modeller bound the skin, mostly a T or an A, which is a better rest pose than
+//! a step or a turn of the trunk.
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3};
 
@@ -65,7 +65,7 @@ fn joined(
     let bind_of = |skin: &Binds, node: usize| skin.iter().find(|b| b.0 == node).map(|b| b.1);
     let mut space = tree.world[hips] * bind_of(main, hips)?;
     let place = |space: DAffine3, bind: DAffine3| space * bind.inverse();
-    // The hips may lean in the saved pose; the skin's own upright does not.
+    // The hips may lean in the saved pose; the skin's own upright direction does not.
     let trunk = place(space, bind_of(main, head)?).translation - tree.place(hips);
     let up = trunk.try_normalize()?;
     let m = space.matrix3;
@@ -85,8 +85,8 @@ fn joined(
         *placed.get_mut(*node)? = Some(place(space, *bind));
     }
     for skin in skins {
-        // A skin of its own space hangs on a joint that both know, or on one that stands in
-        // another skeleton's as its double.
+        // A skin with its own space is anchored to a joint known to both, or to the duplicate of a
+        // joint in another skeleton.
         let known = |n: usize| placed.get(n).copied().flatten();
         let shared = skin.iter().find_map(|(n, bind)| {
             let at = known(*n).or_else(|| known(humanoid.double_of(tree, *n)?));

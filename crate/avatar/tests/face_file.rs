@@ -58,20 +58,29 @@ fn a_file_holds_face_hair_and_paint_and_is_read_as_any_figure() {
         skin: Some(paint.clone()),
     };
     let glb = face_file(parts()).expect("a file");
-    assert!(glb == face_file(parts()).expect("the same file"));
+    assert!(
+        glb == face_file(parts()).expect("the same file"),
+        "the same parts make the same file"
+    );
     let ida = read_figure("ida", &glb).expect("a figure");
     let has = |name: &str| ida.meshes.iter().any(|m| m.name == name);
-    assert!(has("beard") && has("glasses") && has("hair"));
+    assert!(
+        has("beard") && has("glasses") && has("hair"),
+        "beard, glasses and hair are in the figure"
+    );
     let picture = ida.meshes[0].material.maps.base_color.expect("a picture");
     assert_eq!(ida.images[picture], paint);
     assert_eq!(ida.images.len(), sofia.images.len());
-    assert!(ida.tissue.is_some() && !ida.springs.is_empty());
-    // Names lie where they lay, and the skin is where the face has it.
+    assert!(
+        ida.tissue.is_some() && !ida.springs.is_empty(),
+        "the figure has tissue and springs"
+    );
+    // The names keep their positions, and the skin is at the position of the face.
     let names = |glb: &[u8]| annotations(glb).expect("names");
     assert_eq!(names(&glb), names(SOFIA));
     let (again, _) = larger(&ida);
     let pairs = again.as_chunks::<3>().0.iter().zip(skin.as_chunks::<3>().0);
-    // The neck goes over into that of the body.
+    // The neck merges into that of the body.
     for (now, wanted) in pairs.filter(|(_, wanted)| wanted[1] > -0.05) {
         let off = DVec3::from_array(*now) / 1.03 - DVec3::from_array(*wanted);
         assert!(off.length() < 5e-4, "{wanted:?} {off}");
@@ -79,7 +88,8 @@ fn a_file_holds_face_hair_and_paint_and_is_read_as_any_figure() {
     assert!(
         ida.meshes
             .iter()
-            .any(|m| m.material.kind == MaterialKind::Skin)
+            .any(|m| m.material.kind == MaterialKind::Skin),
+        "the figure has skin"
     );
 }
 
@@ -99,8 +109,17 @@ fn what_cannot_be_written_is_named() {
         });
         made.expect_err("a fault").to_string()
     };
-    assert!(told(&SOFIA[..5000], &skin, "{}").len() > 10);
-    assert!(told(SOFIA, &skin[300..], "{}").contains("head"));
+    assert!(
+        told(&SOFIA[..5000], &skin, "{}").len() > 10,
+        "the error for a truncated face has a message"
+    );
+    assert!(
+        told(SOFIA, &skin[300..], "{}").contains("head"),
+        "the error names the missing head"
+    );
     let stranger = r#"{ "hair": { "from": "nobody" } }"#;
-    assert!(told(SOFIA, &skin, stranger).contains("nobody"));
+    assert!(
+        told(SOFIA, &skin, stranger).contains("nobody"),
+        "the error names the unknown person"
+    );
 }

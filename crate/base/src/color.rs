@@ -1,4 +1,4 @@
-//! Colours as bytes tell them and as light adds up.
+//! Colours as bytes and as linear light.
 
 use crate::ops;
 

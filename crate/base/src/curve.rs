@@ -70,7 +70,10 @@ mod tests {
         assert_eq!(hermite(2.0, 5.0, 3.0, -1.0, 1.0), 3.0);
         let h = 1e-6;
         let slope = (hermite(2.0, 5.0, 3.0, -1.0, h) - 2.0) / h;
-        assert!((slope - 5.0).abs() < 1e-4);
+        assert!(
+            (slope - 5.0).abs() < 1e-4,
+            "the slope at the end of the Hermite curve"
+        );
     }
 
     #[test]

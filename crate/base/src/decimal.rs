@@ -1,8 +1,8 @@
 //! Decimal numbers, read and written without the standard library's tables.
 //!
-//! `str::parse::<f64>` brings 10 KB of powers of ten that do not compress into every
-//! page. Up to 19 digits and 37 places either way, the result here is the same to the bit;
-//! beyond that it may differ in the last ones. It accepts the same texts.
+//! `str::parse::<f64>` adds 10 KB of incompressible powers of ten to every page. For up to 19
+//! digits and 37 decimal places in either direction, the result here is the same to the bit; beyond
+//! that, the last digits may differ. It accepts the same texts.
 
 /// Maximum number of arbitrary decimal digits that fit in 64 bits.
 const MAX_DIGITS: u32 = 19;
@@ -70,7 +70,7 @@ pub fn parse(text: &str) -> Option<f64> {
         any = true;
         if taken < MAX_DIGITS {
             whole = whole * 10 + u64::from(byte - b'0');
-            // Leading zeros say nothing.
+            // Leading zeros are not significant digits.
             taken += u32::from(whole > 0);
             exponent = exponent.saturating_sub(i32::from(pointed));
         } else {
@@ -131,8 +131,8 @@ fn scaled(whole: u64, exponent: i32) -> f64 {
     }
     let ten = 10_u128.pow(power.min(MAX_POWER));
     let mut value = if exponent < 0 {
-        // Long division in binary until more bits are known than a number keeps; the last
-        // one tells whether anything is left.
+        // Binary long division until more bits are known than a number stores; the last bit records
+        // any remainder.
         let (mut quotient, mut left) = (u128::from(whole) / ten, u128::from(whole) % ten);
         let mut halvings = 1.0_f64;
         while quotient < 1 << 55 {
@@ -230,7 +230,7 @@ mod tests {
             }
         };
         for _ in 0..20_000 {
-            // Quarters and eighths are halves at some place.
+            // Quarters and eighths are ties at some decimal place.
             let value = match next() % 4 {
                 0 => (next() % 100_000) as f64 / 8.0,
                 1 => (next() % 100_000) as f64 / 1000.0,
@@ -292,7 +292,7 @@ mod tests {
                 text.parse().ok().map(bits),
                 "{text}"
             );
-            // What a program prints comes back.
+            // Printed numbers round trip.
             let value = f64::from_bits(next() << 8 | 0x3e00_0000_0000_0000);
             if (1e-18..1e15).contains(&value) {
                 assert_eq!(parse(&value.to_string()), Some(value));

@@ -1,4 +1,4 @@
-//! Bytes that should be UTF-8 text, and where and why they are not.
+//! UTF-8 validation of bytes, with the position and reason of each fault.
 
 use std::fmt;
 
@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn nothing_but_nul_is_no_text_but_no_utf16_either() {
-        assert!(!is_utf16(&[0; 4096]));
-        assert!(!is_utf16(b""));
+        assert!(!is_utf16(&[0; 4096]), "NUL bytes are not UTF-16");
+        assert!(!is_utf16(b""), "empty text is not UTF-16");
     }
 }

@@ -1,9 +1,10 @@
-//! Lengths by the language's square root.
+//! Vector lengths by the language's square root.
 //!
-//! IEEE 754 rounds a square root alike everywhere, so the language's own may be used, and in wasm it is
-//! one instruction. `glam` is built with `libm` for its trigonometry and then takes roots from there,
-//! too, where they are computed in software: a quarter of the time of a tick. Code that runs in a
-//! tick uses these in the place of `length()`, `distance()` and `normalize()`; the bits are the same.
+//! IEEE 754 rounds a square root identically everywhere, so the language's own is safe, and in wasm
+//! it is one instruction. `glam` is built with `libm` for its trigonometry and then also takes
+//! roots from there, where they are computed in software: a quarter of the time of a tick. Code
+//! that runs in a tick uses these instead of `length()`, `distance()` and `normalize()`; the bits
+//! are the same.
 
 use core::ops::{Mul, Sub};
 

@@ -1,10 +1,9 @@
 //! Foundations shared by every crate: deterministic maths, curves, seeded noise.
 //!
-//! Does: the `glam` types in double precision, trigonometry through `libm` so
-//! that native and wasm agree bit for bit, motion curves, hash-based noise,
-//! colours as light, normals of surfaces, surfaces that cross themselves, encodings of text,
-//! how written language is parted.
-//! Does not: know anything of stories, bodies or time-keeping.
+//! Scope: the `glam` types in double precision, trigonometry through `libm` so that native and wasm
+//! agree bit for bit, motion curves, hash-based noise, colours as light, normals and
+//! self-intersections of surfaces, encodings of text, segmentation of written language.
+//! Out of scope: stories, bodies and time-keeping.
 //!
 //! Frames: right-handed, metres, radians, seconds; +x is the character's left,
 //! +y up, +z front (glTF's own frame).

@@ -1,4 +1,4 @@
-//! What passes from a face's tissue to those who draw its skin.
+//! Interface between a face's tissue and the renderers of its skin.
 
 /// A node of the tissue as it is now, in the figure's bind pose (before joints move it).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

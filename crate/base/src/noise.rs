@@ -1,7 +1,7 @@
 //! Seeded randomness as a pure function of (seed, id, time bucket).
 //!
-//! There is no generator with a running state: playing to a time and seeking to
-//! it must give the same value.
+//! No generator has a running state, because playing to a time and seeking to it must give the same
+//! value.
 
 /// A 64-bit hash of its three arguments (SplitMix64 finaliser, Steele et al. 2014,
 /// doi:10.1145/2660193.2660195).
@@ -50,7 +50,7 @@ pub fn perlin(seed: u64, id: u64, x: f64) -> f64 {
     let left = signed(seed, id, bucket) * f;
     let right = signed(seed, id, bucket.wrapping_add(1)) * (f - 1.0);
     let fade = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
-    // Two gradients of at most 1 meet at 0.5 in the worst case.
+    // In the worst case, two gradients of at most 1 meet at 0.5.
     2.0 * (left + (right - left) * fade)
 }
 
@@ -83,8 +83,8 @@ mod tests {
         let mut last = perlin(1, 2, -3.0);
         for i in 1..6000 {
             let v = perlin(1, 2, -3.0 + f64::from(i) * 1e-3);
-            assert!(v.abs() <= 1.0);
-            assert!((v - last).abs() < 0.01);
+            assert!(v.abs() <= 1.0, "the noise stays between -1 and 1");
+            assert!((v - last).abs() < 0.01, "the noise is continuous");
             last = v;
         }
     }

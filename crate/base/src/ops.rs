@@ -1,7 +1,7 @@
 //! Transcendental functions through `libm`.
 //!
-//! The standard library calls the platform's own, which differ in the last bits
-//! between systems; clippy forbids them in the workspace.
+//! The standard library calls the platform's functions, whose last bits differ between systems;
+//! clippy forbids them in the workspace.
 
 pub use libm::{acos, asin, atan, atan2, cbrt, cos, exp, hypot, log as ln, pow, sin, sincos, tan};
 
@@ -21,7 +21,7 @@ pub fn asin_clamped(x: f64) -> f64 {
 #[must_use]
 pub fn wrap_angle(angle_rad: f64) -> f64 {
     use core::f64::consts::{PI, TAU};
-    // Nearly all are within already, and a remainder takes long.
+    // Nearly all angles are already within the range, and a remainder is slow.
     if angle_rad > -PI && angle_rad <= PI {
         return angle_rad;
     }
@@ -46,13 +46,19 @@ mod tests {
             let a = f64::from(i) * 0.37;
             let w = wrap_angle(a);
             assert!(w > -PI - 1e-12 && w <= PI + 1e-12, "{a} -> {w}");
-            assert!((cos(a) - cos(w)).abs() < 1e-12 && (sin(a) - sin(w)).abs() < 1e-12);
+            assert!(
+                (cos(a) - cos(w)).abs() < 1e-12 && (sin(a) - sin(w)).abs() < 1e-12,
+                "the wrapped angle has the same direction"
+            );
         }
     }
 
     #[test]
     fn clamped_inverses_survive_rounding() {
         assert_eq!(acos_clamped(1.0 + 1e-9), 0.0);
-        assert!((asin_clamped(-1.5) + PI / 2.0).abs() < 1e-15);
+        assert!(
+            (asin_clamped(-1.5) + PI / 2.0).abs() < 1e-15,
+            "asin of less than -1 is clamped"
+        );
     }
 }

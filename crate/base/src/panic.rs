@@ -1,5 +1,5 @@
-//! What a panic says. It ends the instance by a trap that carries no message, so that the message
-//! is kept here, and the page asks for it. For the bindings alone: nothing else has a global.
+//! Storage of panic messages. A panic ends the instance by a trap without a message, so this module
+//! stores the message for the page to query. Only the bindings use it: no other code has a global.
 
 use std::panic::{PanicHookInfo, set_hook};
 use std::sync::{Mutex, PoisonError};
@@ -42,7 +42,7 @@ mod tests {
         let list = Vec::<u8>::new();
         let reached = catch_unwind(|| list[std::hint::black_box(7)]);
         drop(take_hook());
-        assert!(reached.is_err());
+        assert!(reached.is_err(), "the panic is caught");
         let expected = format!(
             "index out of bounds: the len is 0 but the index is 7 ({}:{line}:",
             file!()

@@ -1,5 +1,5 @@
-//! Texts of strangers on a terminal: what a story, its file names and its messages hold must not
-//! move the cursor, change colours or turn the direction of what stands beside it.
+//! Sanitising of untrusted text for a terminal: stories, file names and messages must not move the
+//! cursor, change colours or reverse the direction of adjacent text.
 
 use std::borrow::Cow;
 
@@ -39,7 +39,8 @@ pub fn printable(text: &str) -> Cow<'_, str> {
 /// equivalent.
 #[must_use]
 pub fn printable_json(text: &str) -> Cow<'_, str> {
-    // JSON has escaped those of ASCII but for DEL; what is left has four digits at most.
+    // JSON escapes all ASCII control characters except DEL; the remaining ones have at most four
+    // digits.
     let left = |c: char| acts(c) && c != '\r';
     if !text.contains(left) {
         return text.into();

@@ -1,9 +1,9 @@
-//! Motion profiles: how much of a way is covered at a share of its time (GEVH 3.5.1).
+//! Motion profiles: the share of a path covered at a share of its time (GEVH 3.5.1).
 //!
-//! A *piecewise* profile is a list of keys, each with the profile of the way to it. A
-//! *hierarchical* one feeds the value of one profile to another as its share of time. Either
-//! may overshoot: beyond its ends a profile goes on with the slope that it has there, so that
-//! hierarchies of overshooting profiles stay continuous.
+//! A *piecewise* profile is a list of keys, each with the profile of the path to it. A
+//! *hierarchical* one passes the value of one profile to another as its share of time. Either may
+//! overshoot: beyond its ends a profile continues with its end slope, so that hierarchies of
+//! overshooting profiles stay continuous.
 
 use crate::curve::{hermite, minimum_jerk};
 use crate::ops;
@@ -67,7 +67,7 @@ impl Profile {
                 } else {
                     (x1.clamp(0.0, 1.0), *y1)
                 };
-                // An upright end is as steep as a moment is long: it goes nowhere.
+                // A vertical end lasts no time, so its slope is zero.
                 if dx > 1e-6 { dy / dx } else { 0.0 }
             }
         }
@@ -137,15 +137,21 @@ mod tests {
         let straight = Profile::Bezier([0.25, 0.25, 0.7, 0.7]);
         for i in 0..100 {
             let s = f64::from(i) * 0.01;
-            assert!((straight.sample(s) - s).abs() < 1e-12);
+            assert!(
+                (straight.sample(s) - s).abs() < 1e-12,
+                "the Bézier curve on the diagonal is linear"
+            );
         }
     }
 
     #[test]
     fn curves_decelerate_and_overshoot() {
-        // Most of the way early, then slowly into the goal.
+        // Most of the path is covered early; the approach to the goal is slow.
         let decelerating = Profile::Hermite([3.0, 0.0]);
-        assert!(decelerating.sample(0.5) > 0.8);
+        assert!(
+            decelerating.sample(0.5) > 0.8,
+            "the decelerating curve is past 0.8 at its middle"
+        );
         // Arriving from beyond: a negative slope at the end.
         let overshooting = Profile::Hermite([0.0, -2.0]);
         let most = (0..=100)
@@ -156,8 +162,17 @@ mod tests {
 
     #[test]
     fn peaks_are_those_of_the_curves() {
-        assert!((Profile::MinimumJerk.peak() - 1.875).abs() < 0.01);
-        assert!((Profile::Linear.peak() - 1.0).abs() < 1e-9);
-        assert!((Profile::Cosine.peak() - core::f64::consts::FRAC_PI_2).abs() < 0.01);
+        assert!(
+            (Profile::MinimumJerk.peak() - 1.875).abs() < 0.01,
+            "the peak speed of the minimum-jerk profile"
+        );
+        assert!(
+            (Profile::Linear.peak() - 1.0).abs() < 1e-9,
+            "the peak speed of the linear profile"
+        );
+        assert!(
+            (Profile::Cosine.peak() - core::f64::consts::FRAC_PI_2).abs() < 0.01,
+            "the peak speed of the cosine profile"
+        );
     }
 }

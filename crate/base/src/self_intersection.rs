@@ -1,8 +1,8 @@
-//! Surfaces that cross themselves.
+//! Self-intersections of surfaces.
 //!
-//! Two triangles that share no corner cross when an edge of one passes through the inside of
-//! the other; triangles in one plane do not. Candidates come from a tree of boxes, so that a
-//! whole head takes milliseconds.
+//! Two triangles without a common corner cross when an edge of one passes through the inside of the
+//! other; coplanar triangles do not. Candidates come from a tree of boxes, so that a whole head
+//! takes milliseconds.
 
 use crate::DVec3;
 
@@ -275,7 +275,7 @@ impl CrossingQuery<'_> {
                     }
                 }
             }
-            // The larger of both is parted.
+            // The larger box is split.
             (right, other) if right != 0 && (other == 0 || p.to - p.from >= q.to - q.from) => {
                 self.between(a + 1, b);
                 self.between(right as usize, b);
@@ -354,7 +354,13 @@ mod tests {
     #[test]
     fn what_is_no_triangle_crosses_nothing() {
         let points = [DVec3::ZERO, DVec3::X, DVec3::splat(f64::NAN)];
-        assert!(crossings(&points, &[[0, 1, 2], [0, 1, 7]]).is_empty());
-        assert!(crossings(&[], &[]).is_empty());
+        assert!(
+            crossings(&points, &[[0, 1, 2], [0, 1, 7]]).is_empty(),
+            "an invalid triangle crosses nothing"
+        );
+        assert!(
+            crossings(&[], &[]).is_empty(),
+            "an empty mesh has no crossings"
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! Normals of surfaces made of polygons.
+//! Normals of polygonal surfaces.
 
 use crate::DVec3;
 

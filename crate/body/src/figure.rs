@@ -1,4 +1,4 @@
-//! A figure as it is at run time: skeleton, meshes and morphs.
+//! Runtime figure: skeleton, meshes and morph targets.
 
 use raconteur_base::{DAffine3, Side};
 

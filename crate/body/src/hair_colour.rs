@@ -1,4 +1,4 @@
-//! Colour of hair from its pigments.
+//! Hair colour from its pigments.
 
 use raconteur_base::ops;
 use serde::{Deserialize, Serialize};

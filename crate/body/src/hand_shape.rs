@@ -1,30 +1,30 @@
-//! Hand shapes: the angles of the 20 finger joints by number, and the local rotations of
-//! the 15 finger bones that follow from them.
+//! Hand shapes: the angles of the 20 finger joints by number, and the resulting local rotations of
+//! the 15 finger bones.
 //!
-//! The numbers are those of the gesture dictionary of Portuguese sign language (LGP) that
-//! GEVH uses for its hands (section 3.5, figures 3.13 and C.4). Of these only shape 7, the
-//! "open-like claw" of the greeting, is described there; **all other numbers and all
-//! angles are designed** (chosen by eye and solved for contacts), after
+//! The numbers are those of the gesture dictionary of Portuguese sign language (LGP) that GEVH uses
+//! for its hands (section 3.5, figures 3.13 and C.4). It describes only shape 7, the "open-like
+//! claw" of the greeting; **all other numbers and all angles are designed** (chosen by eye and
+//! solved for contacts), after
 //! - letters and digits: the SignWriting symbols of the LGP fingerspelling alphabet
 //!   (github.com/sign-language-processing/signwriting, `fingerspelling/data/psr.json`);
 //! - proportions of bends: `HamNoSys` shapes of github.com/upf-gti/performs,
 //!   `js/sigml/HandShape.js`;
 //! - limits of every joint: F&H table 6.4.
 //!
-//! Where a fingertip touches something (a pinch, a thumb across a fist), the angles were
-//! solved by damped least squares on the surface of the generated hand, pad against pad
-//! with at most 3 mm between them, and stored in whole degrees. Closed fingers are opened
-//! at the knuckle until their tips only rest on the palm.
+//! Where a fingertip touches another part (a pinch, a thumb across a fist), the angles were solved
+//! by damped least squares on the surface of the generated hand, pad against pad with at most 3 mm
+//! between them, and stored in whole degrees. Closed fingers are opened at the knuckle until their
+//! tips only touch the palm.
 //!
-//! Conventions. Angle zero is a flat hand whose fingers run parallel to the forearm, with
-//! the thumb as in the zero pose of GEVH table A.1 (40° radial, 26° palmar). Flexion bends
-//! towards the palm; abduction of a finger is positive towards the thumb, so that a spread
-//! hand has +18° at the index and −18° at the little finger. A knuckle turns by abduction
-//! about the dorsal axis, then by flexion. The thumb's saddle joint turns by flexion about
-//! the hand's dorsal axis (positive across the palm), abduction away from the palm, and
-//! rotation about itself (negative: pronation, as in opposition). At rest its nail looks
-//! partly to the back of the hand, [`THUMB_ROLL_RAD`] away from the frame of table A.1, so
-//! that the table of limits, which allows 10° of pronation, allows 32° here.
+//! Conventions. Angle zero is a flat hand whose fingers run parallel to the forearm, with the thumb
+//! as in the zero pose of GEVH table A.1 (40° radial, 26° palmar). Flexion bends towards the palm;
+//! abduction of a finger is positive towards the thumb, so that a spread hand has +18° at the index
+//! and −18° at the little finger. A knuckle turns by abduction about the dorsal axis, then by
+//! flexion. The thumb's saddle joint turns by flexion about the hand's dorsal axis (positive across
+//! the palm), abduction away from the palm, and rotation about itself (negative: pronation, as in
+//! opposition). At rest its nail is turned partly to the back of the hand, [`THUMB_ROLL_RAD`] away
+//! from the frame of table A.1, so that the table of limits, which allows 10° of pronation, allows
+//! 32° here.
 
 mod angles;
 
@@ -277,7 +277,10 @@ mod tests {
         for (i, shape) in HandShape::ALL.iter().enumerate() {
             assert_eq!(usize::from(shape.id()), i);
         }
-        assert!(HandShape::get(61).is_none());
+        assert!(
+            HandShape::get(61).is_none(),
+            "no hand shape has the number 61"
+        );
     }
 
     #[test]
@@ -325,12 +328,18 @@ mod tests {
         assert_eq!(shape.name(), "open claw");
         let spread =
             shape.angles().fingers[0].mcp_abduction - shape.angles().fingers[3].mcp_abduction;
-        assert!(spread.to_degrees() > 30.0);
+        assert!(
+            spread.to_degrees() > 30.0,
+            "the fingers spread by more than 30 degrees"
+        );
         // Open: far from the fist's tips; claw: the tips are well below the knuckles.
         let knuckle = Bone::LMiddle0.example_position_m();
         for (claw, fist) in tips(7, Side::Left).iter().zip(tips(14, Side::Left)).take(4) {
-            assert!(claw.x > knuckle.x + 0.03 && (*claw - fist).length() > 0.05);
-            assert!(claw.y < knuckle.y - 0.02);
+            assert!(
+                claw.x > knuckle.x + 0.03 && (*claw - fist).length() > 0.05,
+                "the claw is away from the knuckle and from the fist"
+            );
+            assert!(claw.y < knuckle.y - 0.02, "the claw is below the knuckle");
         }
     }
 
@@ -342,7 +351,10 @@ mod tests {
         let (ra, rb) = (a.rotations(Side::Left), b.rotations(Side::Left));
         assert_eq!(a.angles().lerp(b.angles(), 0.0), *a.angles());
         for (blended, end) in blend_rotations(&ra, &rb, 1.0).iter().zip(rb) {
-            assert!(blended.1.angle_between(end.1) < 1e-6);
+            assert!(
+                blended.1.angle_between(end.1) < 1e-6,
+                "the fully blended thumb is the other end"
+            );
         }
     }
 }

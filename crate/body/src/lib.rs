@@ -1,9 +1,10 @@
-//! Who performs: the figure's skeleton, skin, face and hands, read from glTF.
+//! The performer: the figure's skeleton, skin, face and hands, read from glTF.
 //!
-//! Does: the 54 bones of GEVH appendix A with their frames, forward kinematics with
-//! helper joints, hand shapes, chains that swing, the figure's meshes and morphs, reading them
-//! from glTF binary and writing them.
-//! Does not: make figures (`sculpt`), take other people's (`avatar`), decide how the figure moves (`actor`) or draw it (`render`).
+//! Scope: the 54 bones of GEVH appendix A with their frames, forward kinematics with helper joints,
+//! hand shapes, swinging chains, the figure's meshes and morph targets, reading from and writing to
+//! glTF binary.
+//! Out of scope: figure generation (`sculpt`), avatar import (`avatar`), motion (`actor`) and
+//! rendering (`render`).
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 

@@ -1,4 +1,4 @@
-//! What turns each joint at one moment, and where the joints are then.
+//! Joint rotations at one time, and the resulting joint positions.
 
 use raconteur_base::{DAffine3, DQuat, DVec3};
 
@@ -84,8 +84,8 @@ impl Pose {
     pub fn joint_rotation(&self, drive: Drive) -> DQuat {
         match drive {
             Drive::Eye(side) => self.eyes[side.index()],
-            // Closing turns the upper lid down: y towards z is a positive turn about x
-            // (left); seen from the front the front of the globe moves down.
+            // Closing turns the upper lid down: y towards z is a positive turn about x (left); from
+            // the front, the front of the globe moves down.
             Drive::UpperLid(side) => DQuat::from_rotation_x(self.upper_lid_rad[side.index()]),
             Drive::LowerLid(side) => DQuat::from_rotation_x(-self.lower_lid_rad[side.index()]),
             _ => drive
@@ -130,9 +130,12 @@ mod tests {
     fn twist_and_swing_recompose() {
         let q = DQuat::from_rotation_z(0.7) * DQuat::from_rotation_x(1.1);
         let twist = twist_about_x(q);
-        assert!(twist.angle_between(DQuat::from_rotation_x(1.1)) < 1e-9);
+        assert!(
+            twist.angle_between(DQuat::from_rotation_x(1.1)) < 1e-9,
+            "the twist is the rotation about x"
+        );
         let swing = q * twist.inverse();
-        assert!(swing.x.abs() < 1e-12);
+        assert!(swing.x.abs() < 1e-12, "the swing has no twist");
     }
 
     #[test]
@@ -140,6 +143,9 @@ mod tests {
         let mut pose = Pose::zero();
         pose.upper_lid_rad = [0.5; 2];
         let q = pose.joint_rotation(Drive::UpperLid(raconteur_base::Side::Left));
-        assert!((q * DVec3::Z).y < 0.0);
+        assert!(
+            (q * DVec3::Z).y < 0.0,
+            "closing the upper lid moves its front down"
+        );
     }
 }

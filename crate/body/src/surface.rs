@@ -1,4 +1,4 @@
-//! Surfaces as joints move them, and what of them can be touched.
+//! Surfaces moved by joints, and their touchable parts.
 
 use raconteur_base::{DAffine3, DVec3};
 
@@ -56,9 +56,21 @@ mod tests {
     #[test]
     fn cloth_hides_the_skin_under_it_and_not_that_beside_it() {
         let skin = [DVec3::ZERO, DVec3::Y];
-        assert!(lies_under(skin, [DVec3::Y * 0.01, DVec3::Y]));
-        assert!(!lies_under(skin, [DVec3::Y * -0.01, DVec3::Y]));
-        assert!(!lies_under(skin, [DVec3::Y * 0.01, DVec3::NEG_Y]));
-        assert!(!lies_under(skin, [DVec3::new(0.02, 0.01, 0.0), DVec3::Y]));
+        assert!(
+            lies_under(skin, [DVec3::Y * 0.01, DVec3::Y]),
+            "cloth above the skin hides it"
+        );
+        assert!(
+            !lies_under(skin, [DVec3::Y * -0.01, DVec3::Y]),
+            "cloth below the skin does not hide it"
+        );
+        assert!(
+            !lies_under(skin, [DVec3::Y * 0.01, DVec3::NEG_Y]),
+            "cloth that faces away does not hide the skin"
+        );
+        assert!(
+            !lies_under(skin, [DVec3::new(0.02, 0.01, 0.0), DVec3::Y]),
+            "cloth next to the skin does not hide it"
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! A step of the soft face allocates nothing: counted by the allocator.
+//! Allocation test: a step of the soft face allocates nothing, as counted by the allocator.
 
 #[path = "common/counting.rs"]
 mod counting;

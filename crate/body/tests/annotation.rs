@@ -1,4 +1,4 @@
-//! Names on the mesh against hostile files.
+//! Names on the mesh in hostile files.
 
 mod common;
 
@@ -31,7 +31,10 @@ fn names_in_range_are_read() {
     let read = read.unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(read.landmark("n").map(|l| l.vertex), Some(9));
     assert_eq!(read.segments[1].runs, [[0, 4], [6, 4]]);
-    assert!(annotations(&with(&Value::Null)).is_ok_and(|a| a.landmarks.is_empty()));
+    assert!(
+        annotations(&with(&Value::Null)).is_ok_and(|a| a.landmarks.is_empty()),
+        "a null annotation has no landmarks"
+    );
 }
 
 #[test]
@@ -51,6 +54,12 @@ fn nonsense_is_an_error() {
     for extras in bad {
         assert!(annotations(&with(&extras)).is_err(), "{extras}");
     }
-    assert!(matches!(annotations(b"glTF"), Err(ReadError::NotGlb(_))));
-    assert!(matches!(annotations(b""), Err(ReadError::NotGlb(_))));
+    assert!(
+        matches!(annotations(b"glTF"), Err(ReadError::NotGlb(_))),
+        "a header without content is not a GLB"
+    );
+    assert!(
+        matches!(annotations(b""), Err(ReadError::NotGlb(_))),
+        "an empty file is not a GLB"
+    );
 }

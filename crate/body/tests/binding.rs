@@ -1,4 +1,4 @@
-//! Bindings to tissue: through a file and back, and broken ones.
+//! Tissue bindings: round trip through a file, and broken bindings.
 
 use std::fs;
 use std::path::PathBuf;
@@ -35,7 +35,7 @@ fn bound() -> Figure {
         b.vertices.push(v);
         b.starts.push(b.nodes.len() as u32);
     }
-    // One that follows nothing, but is bound.
+    // A bound vertex without nodes.
     b.vertices.push(20_000);
     b.starts.push(b.nodes.len() as u32);
     figure.meshes[0].binding = Some(b);
@@ -61,7 +61,10 @@ fn a_binding_comes_back_from_the_file() {
     let figure = bound();
     let glb = to_glb(&figure);
     let back = read_figure("sofia", &glb).expect("a figure");
-    assert!(back.meshes[1..].iter().all(|m| m.binding.is_none()));
+    assert!(
+        back.meshes[1..].iter().all(|m| m.binding.is_none()),
+        "only the first mesh has a binding"
+    );
     assert_eq!(back.meshes[0].binding_fault(), None);
     let (a, b) = (&figure.meshes[0].binding, &back.meshes[0].binding);
     let (a, b) = (a.as_ref().expect("bound"), b.as_ref().expect("bound"));
@@ -69,14 +72,14 @@ fn a_binding_comes_back_from_the_file() {
     for i in 0..a.vertices.len() {
         let (whole, read) = (row(a, i), row(b, i));
         let sum = |r: &[(u16, f32)]| r.iter().map(|e| e.1).sum::<f32>();
-        // The sum is kept to half a step, or all of it would drift.
+        // The sum stays within half a step; otherwise the whole row would drift.
         assert!(
             (sum(&whole) - sum(&read)).abs() <= 0.5 / 255.0 + 1e-5,
             "{i}"
         );
         for &(node, weight) in &whole {
             let found = read.iter().find(|e| e.0 == node).map_or(0.0, |e| e.1);
-            // A node that stands twice in a row is rounded twice.
+            // A node that occurs twice in a row is rounded twice.
             assert!(
                 (found - weight).abs() <= 2.0 / 255.0 + 1e-5,
                 "{i}: {whole:?} {read:?}"
@@ -84,8 +87,11 @@ fn a_binding_comes_back_from_the_file() {
         }
     }
     // Written again, it is the same.
-    assert!(glb == to_glb(&back));
-    // The readers of others find vertices and triangles as before.
+    assert!(
+        glb == to_glb(&back),
+        "the file is identical when written again"
+    );
+    // Other readers still find the vertices and triangles.
     let theirs = gltf::Gltf::from_slice_without_validation(&glb).expect("glTF");
     let primitive = theirs.meshes().flat_map(|m| m.primitives()).next();
     let primitive = primitive.expect("a mesh");
@@ -117,7 +123,10 @@ fn broken_bindings_in_files_are_refused() {
         "\"version\":1,\"weights\"",
         "\"version\":2,\"weights\"",
     );
-    assert!(matches!(fault(&newer), ReadError::Type { .. }));
+    assert!(
+        matches!(fault(&newer), ReadError::Type { .. }),
+        "a binding of a newer version is rejected"
+    );
 
     // The binding names its three lists; each is sent elsewhere.
     let text = String::from_utf8_lossy(&glb).into_owned();
@@ -143,21 +152,36 @@ fn broken_bindings_in_files_are_refused() {
             &format!("\"{key}\":{to:>width$}"),
         )
     };
-    // Counts for each entry instead of each vertex; entries that differ in number; none.
-    assert!(matches!(
-        fault(&refer("counts", counts, &nodes.to_string())),
-        ReadError::Count { .. }
-    ));
-    assert!(read_figure("x", &refer("nodes", nodes, &counts.to_string())).is_err());
-    assert!(read_figure("x", &refer("weights", weights, &counts.to_string())).is_err());
+    // Counts per entry instead of per vertex; unequal numbers of entries; no entries.
+    assert!(
+        matches!(
+            fault(&refer("counts", counts, &nodes.to_string())),
+            ReadError::Count { .. }
+        ),
+        "inconsistent counts are rejected"
+    );
+    assert!(
+        read_figure("x", &refer("nodes", nodes, &counts.to_string())).is_err(),
+        "inconsistent nodes are rejected"
+    );
+    assert!(
+        read_figure("x", &refer("weights", weights, &counts.to_string())).is_err(),
+        "inconsistent weights are rejected"
+    );
     // Nodes as weights sum to far more than 1.
-    assert!(matches!(
-        fault(&refer("weights", weights, &nodes.to_string())),
-        ReadError::OutOfRange { .. }
-    ));
+    assert!(
+        matches!(
+            fault(&refer("weights", weights, &nodes.to_string())),
+            ReadError::OutOfRange { .. }
+        ),
+        "weights with the accessor of the nodes are rejected"
+    );
     // One that points nowhere.
     let beyond = refer("weights", weights, "-1");
-    assert!(matches!(fault(&beyond), ReadError::OutOfRange { .. }));
+    assert!(
+        matches!(fault(&beyond), ReadError::OutOfRange { .. }),
+        "a node beyond the tissue is rejected"
+    );
 }
 
 #[test]

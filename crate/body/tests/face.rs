@@ -1,5 +1,5 @@
-//! The soft faces of the shipped figures: they rest, they stay intact whatever the controls of
-//! them, and each muscle does what anatomy says.
+//! Soft faces of the shipped figures: they rest, stay intact for any controls, and each muscle has
+//! its anatomical effect.
 
 use raconteur_base::{Side, noise};
 use raconteur_body::Figure;
@@ -130,7 +130,10 @@ fn jump(seed: u64, name: &str) {
                     .iter()
                     .chain(&node.normal_delta)
                     .chain(&node.wrinkles);
-                assert!(all.chain([&node.blush]).all(|x| x.is_finite()));
+                assert!(
+                    all.chain([&node.blush]).all(|x| x.is_finite()),
+                    "all values of the face are finite"
+                );
             }
             comes_to_rest(&tissue, network.clone(), &format!("{name} at {i}"));
         }
@@ -150,7 +153,7 @@ fn comes_to_rest(tissue: &Tissue, mut network: Network, what: &str) {
     for _ in 0..4 * HALF_A_SECOND {
         network.step(tissue, &rest);
     }
-    // It comes nearer to rest still, and goes nowhere else.
+    // The face continues to approach its rest position and moves nowhere else.
     let drift = (0..before.len())
         .map(|i| distance(network.place(i), before[i]))
         .fold(0.0, f32::max);
@@ -272,7 +275,10 @@ fn each_muscle_has_an_effect_that_is_looked_at() {
         assert!(effects.iter().any(own), "{muscle:?}");
     }
     let is_left = |e: &Effect| e.muscle.side() != Some(Side::Right);
-    assert!(effects.iter().all(is_left));
+    assert!(
+        effects.iter().all(is_left),
+        "every left muscle has an effect on the left side"
+    );
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The reader against hostile files.
+//! The reader on hostile files.
 
 mod common;
 
@@ -17,7 +17,10 @@ fn shipped() -> Vec<u8> {
 
 /// Replaces a piece of the shipped figure's JSON chunk by one of the same length.
 fn tampered(from: &str, to: &str) -> Vec<u8> {
-    assert!(to.len() <= from.len());
+    assert!(
+        to.len() <= from.len(),
+        "the replacement is not longer than the original"
+    );
     let mut glb = shipped();
     let at = glb.windows(from.len()).position(|w| w == from.as_bytes());
     let at = at.unwrap_or_else(|| panic!("the figure's JSON holds no {from}"));
@@ -43,13 +46,20 @@ fn the_shipped_figure_is_whole() {
     for name in ["tongueOut", "tongueUp"] {
         assert!(figure.morph_index(name).is_some(), "no {name}");
     }
-    assert!(figure.lid_closure_rad.iter().all(|r| *r > 0.1));
+    assert!(
+        figure.lid_closure_rad.iter().all(|r| *r > 0.1),
+        "both lids of the figure close by more than 0.1 rad"
+    );
     for mesh in &figure.meshes {
         for (w, j) in mesh.weights.iter().zip(&mesh.joints) {
-            assert!((w.iter().sum::<f32>() - 1.0).abs() < 1e-5);
+            assert!(
+                (w.iter().sum::<f32>() - 1.0).abs() < 1e-5,
+                "the weights of a vertex add up to 1"
+            );
             assert!(
                 j.iter()
-                    .all(|j| usize::from(*j) < figure.skeleton.joints().len())
+                    .all(|j| usize::from(*j) < figure.skeleton.joints().len()),
+                "every vertex joint exists"
             );
         }
     }
@@ -80,41 +90,59 @@ fn coarser_levels_that_are_no_triangles_are_refused() {
 fn faults_are_named() {
     let fault = |glb: &[u8]| read_figure("x", glb).expect_err("a fault");
     let whole = shipped();
-    assert!(matches!(fault(b""), ReadError::NotGlb(_)));
-    assert!(matches!(
-        fault(b"PK\x03\x04 a zip file"),
-        ReadError::NotGlb(_)
-    ));
-    assert!(matches!(
-        fault(&whole[..whole.len() / 2]),
-        ReadError::NotGlb(_)
-    ));
-    assert!(matches!(
-        fault(&container("{not json")),
-        ReadError::NotGlb(_)
-    ));
-    assert!(matches!(fault(&container("{}")), ReadError::NotGlb(_)));
+    assert!(
+        matches!(fault(b""), ReadError::NotGlb(_)),
+        "an empty file is not a GLB"
+    );
+    assert!(
+        matches!(fault(b"PK\x03\x04 a zip file"), ReadError::NotGlb(_)),
+        "a zip archive is not a GLB"
+    );
+    assert!(
+        matches!(fault(&whole[..whole.len() / 2]), ReadError::NotGlb(_)),
+        "a truncated file is not a GLB"
+    );
+    assert!(
+        matches!(fault(&container("{not json")), ReadError::NotGlb(_)),
+        "invalid JSON is not a GLB"
+    );
+    assert!(
+        matches!(fault(&container("{}")), ReadError::NotGlb(_)),
+        "an empty object is not a GLB"
+    );
     let draco =
         r#"{"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"]}"#;
-    assert!(matches!(fault(&container(draco)), ReadError::Extension(e) if e.contains("draco")));
+    assert!(
+        matches!(fault(&container(draco)), ReadError::Extension(e) if e.contains("draco")),
+        "an unsupported extension is named"
+    );
     let cycle = r#"{"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[0]}]}"#;
-    assert!(matches!(fault(&container(cycle)), ReadError::Cycle));
+    assert!(
+        matches!(fault(&container(cycle)), ReadError::Cycle),
+        "a cycle of nodes is rejected"
+    );
     let nobody = r#"{"asset":{"version":"2.0"},"nodes":[{"name":"Hips"}]}"#;
-    assert!(matches!(
-        fault(&container(nobody)),
-        ReadError::NoSkeleton { .. }
-    ));
+    assert!(
+        matches!(fault(&container(nobody)), ReadError::NoSkeleton { .. }),
+        "a file without joints has no skeleton"
+    );
     let deep = format!("{}{}", "[".repeat(100_000), "]".repeat(100_000));
-    assert!(matches!(fault(&container(&deep)), ReadError::NotGlb(_)));
+    assert!(
+        matches!(fault(&container(&deep)), ReadError::NotGlb(_)),
+        "deeply nested JSON is rejected"
+    );
     let bone = Bone::LWrist.name();
     let renamed = tampered(&format!("\"{bone}\""), "\"bone_of_none\"");
-    assert!(matches!(fault(&renamed), ReadError::NoSkeleton { missing } if missing == bone));
+    assert!(
+        matches!(fault(&renamed), ReadError::NoSkeleton { missing } if missing == bone),
+        "the missing joint is named"
+    );
 }
 
 #[test]
 fn no_tampering_panics() {
-    // One byte or one stretch at a time, at places that a hash chooses; the JSON chunk and
-    // the header get most of it, because there lie counts, offsets and indices.
+    // The test changes one byte or range at a time, at positions chosen by a hash; most changes
+    // affect the JSON chunk and the header, which contain counts, offsets and indices.
     let whole = shipped();
     let json = u32::from_le_bytes([whole[12], whole[13], whole[14], whole[15]]) as usize;
     let mut refused = 0;
@@ -123,7 +151,7 @@ fn no_tampering_panics() {
         for k in 0..4 {
             let span = if k == 3 { glb.len() } else { 20 + json };
             let at = noise::hash(round, k, 1) as usize % span;
-            // Digits stay digits half of the time, so that the JSON often remains JSON.
+            // Half of the time, digits stay digits, so that the JSON often stays valid.
             glb[at] = if glb[at].is_ascii_digit() && noise::hash(round, k, 2).is_multiple_of(2) {
                 b'0' + (noise::hash(round, k, 3) % 10) as u8
             } else {

@@ -1,5 +1,5 @@
-//! Compressed views: a decoder that no one here wrote finds the same figure in them, and no
-//! stream makes ours panic.
+//! Compressed views: an independent decoder finds the same figure in them, and no stream makes this
+//! decoder panic.
 
 use std::fs;
 use std::path::PathBuf;
@@ -128,9 +128,15 @@ fn both_decoders_find_the_same_bytes() {
     let (json, bin) = unpacked_by_another();
     let theirs = read_figure("sofia", &container(&json, &bin)).expect("a figure");
     let ours = read_figure("sofia", &shipped()).expect("a figure");
-    // The plain file holds every number of a figure.
-    assert!(to_glb(&ours) == to_glb(&theirs));
-    assert!(ours.tissue == theirs.tissue);
+    // The plain file contains every number of a figure.
+    assert!(
+        to_glb(&ours) == to_glb(&theirs),
+        "both decoders read the same figure"
+    );
+    assert!(
+        ours.tissue == theirs.tissue,
+        "both decoders read the same tissue"
+    );
 }
 
 #[test]
@@ -142,7 +148,10 @@ fn the_extension_is_declared_as_it_is_specified() {
     }
     let buffers = json["buffers"].as_array().expect("buffers");
     assert_eq!(buffers.len(), 2);
-    assert!(bin.len() - number(&buffers[0], "byteLength") < 4);
+    assert!(
+        bin.len() - number(&buffers[0], "byteLength") < 4,
+        "the file ends with its padded buffer"
+    );
     assert_eq!(
         buffers[1]["extensions"][EXTENSION],
         json!({ "fallback": true })
@@ -158,11 +167,17 @@ fn the_extension_is_declared_as_it_is_specified() {
         };
         assert_eq!(number(view, "buffer"), 1, "{view}");
         // Decoded views do not overlap.
-        assert!(number(view, "byteOffset") >= end && number(view, "byteOffset") < end + 4);
+        assert!(
+            number(view, "byteOffset") >= end && number(view, "byteOffset") < end + 4,
+            "the view starts at the next aligned offset"
+        );
         end = last;
         let stride = number(packed, "byteStride");
         assert_eq!(number(view, "byteLength"), stride * number(packed, "count"));
-        assert!(view["byteStride"].is_null() || number(view, "byteStride") == stride);
+        assert!(
+            view["byteStride"].is_null() || number(view, "byteStride") == stride,
+            "the declared stride matches the stream"
+        );
         // The version of each codec that the extension has.
         let header = match packed["mode"].as_str() {
             Some("ATTRIBUTES") => 0xA0,
@@ -179,8 +194,14 @@ fn writing_is_repeatable_and_loses_nothing() {
     let figure = read_figure("sofia", &shipped()).expect("a figure");
     let none = Annotations::default();
     let packed = to_packed_glb(&figure, &none);
-    assert!(packed == to_packed_glb(&figure, &none));
-    assert!(packed.len() * 10 < to_glb(&figure).len() * 6);
+    assert!(
+        packed == to_packed_glb(&figure, &none),
+        "the same figure packs to the same bytes"
+    );
+    assert!(
+        packed.len() * 10 < to_glb(&figure).len() * 6,
+        "the packed file is less than 60 % of the plain one"
+    );
     let mut back = read_figure("sofia", &packed).expect("a figure");
     for (a, b) in back.meshes.iter_mut().zip(&figure.meshes) {
         for level in 0..=b.coarser.len() {
@@ -194,7 +215,10 @@ fn writing_is_repeatable_and_loses_nothing() {
         a.indices.clone_from(&b.indices);
         a.coarser.clone_from(&b.coarser);
     }
-    assert!(to_glb(&back) == to_glb(&figure));
+    assert!(
+        to_glb(&back) == to_glb(&figure),
+        "the packed figure reads back unchanged"
+    );
 }
 
 /// Triangles, each with its least corner first: a packed file may turn them.
@@ -229,27 +253,54 @@ fn descriptions_that_do_not_fit_their_streams_are_refused() {
         faults_of(|view, _| view["extensions"][EXTENSION][key] = value.clone())
     };
     let packed = |f: &Option<ReadError>| matches!(f, Some(ReadError::Packed { .. }));
-    assert!(all("count", json!(u64::MAX)).iter().all(packed));
-    assert!(all("count", json!(0)).iter().all(packed));
-    assert!(all("count", json!(1 << 25)).iter().all(packed));
-    assert!(all("byteStride", json!(12)).iter().all(packed));
-    assert!(all("byteLength", json!(3)).iter().all(packed));
+    assert!(
+        all("count", json!(u64::MAX)).iter().all(packed),
+        "an excessive count is rejected"
+    );
+    assert!(
+        all("count", json!(0)).iter().all(packed),
+        "a count of 0 is rejected"
+    );
+    assert!(
+        all("count", json!(1 << 25)).iter().all(packed),
+        "a count beyond the limit is rejected"
+    );
+    assert!(
+        all("byteStride", json!(12)).iter().all(packed),
+        "a stride that does not fit is rejected"
+    );
+    assert!(
+        all("byteLength", json!(3)).iter().all(packed),
+        "a stream of 3 bytes is rejected"
+    );
     for (key, value) in [
         ("byteLength", json!(u64::MAX)),
         ("byteOffset", json!(u64::MAX)),
         ("byteOffset", json!(1 << 30)),
     ] {
         let truncated = |f: &Option<ReadError>| matches!(f, Some(ReadError::Truncated { .. }));
-        assert!(all(key, value).iter().all(truncated));
+        assert!(
+            all(key, value).iter().all(truncated),
+            "a range beyond the buffer is rejected"
+        );
     }
     let elsewhere = |f: &Option<ReadError>| matches!(f, Some(ReadError::OutOfRange { .. }));
-    assert!(all("buffer", json!(1)).iter().all(elsewhere));
+    assert!(
+        all("buffer", json!(1)).iter().all(elsewhere),
+        "a view of another buffer is rejected"
+    );
     // Another program may know these; ours are without.
     let unknown = |f: &Option<ReadError>| matches!(f, Some(ReadError::Extension(_)));
-    assert!(all("filter", json!("OCTAHEDRAL")).iter().all(unknown));
-    assert!(all("mode", json!("STRIPS")).iter().all(unknown));
-    // A view and its stream that agree on more than a figure can need, and on more than the
-    // stream can hold.
+    assert!(
+        all("filter", json!("OCTAHEDRAL")).iter().all(unknown),
+        "an unsupported filter is rejected"
+    );
+    assert!(
+        all("mode", json!("STRIPS")).iter().all(unknown),
+        "an unsupported mode is rejected"
+    );
+    // A view and its stream that agree on more than a figure can need, and on more than the stream
+    // can contain.
     for (count, large) in [(1u64 << 40, true), (1 << 22, false)] {
         let faults = faults_of(|view, _| {
             let stride = number(&view["extensions"][EXTENSION], "byteStride") as u64;
@@ -290,7 +341,7 @@ fn no_stream_panics() {
                 }
             }
             1 => stream.truncate(random(1) as usize % stream.len()),
-            // Nothing but a header and noise.
+            // Only a header and noise.
             _ => {
                 for (k, b) in (0i64..).zip(stream.iter_mut().skip(1)) {
                     *b = random(100 + k) as u8;
@@ -308,6 +359,6 @@ fn no_stream_panics() {
         let mut source = raconteur_body::read::accessor::Source::new(&root);
         taken += usize::from(source.view_bytes(0, "noise").is_ok());
     }
-    // Changed numbers alone still make a stream; noise seldom does.
+    // Changed numbers often still form a stream; noise rarely does.
     assert!((1..2000).contains(&taken), "{taken} of 3000 were taken");
 }

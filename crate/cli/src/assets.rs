@@ -1,8 +1,8 @@
-//! The asset library: figures, animations and music that stories share.
+//! Asset library: figures, animations and music that stories share.
 //!
-//! What every story needs, the figures and the animations, is in the program, so that it works
-//! wherever it is. The folder that `--assets` names goes before; all else lies in that folder, or
-//! in `assets` beside the program.
+//! The figures and animations, which every story needs, are embedded in the program, so that it
+//! works in any location. The folder named by `--assets` takes precedence; all other assets are in
+//! that folder, or in `assets` next to the program.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;

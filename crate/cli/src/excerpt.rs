@@ -1,5 +1,5 @@
-//! The lines of a text that a diagnostic shows, cut to the columns around its places: a story
-//! may be one line of megabytes, and hundreds of diagnostics may point at it.
+//! Diagnostic excerpts: the lines of a text, cut to the columns around the marked positions. A
+//! story may be one line of several megabytes with hundreds of diagnostics.
 
 use std::ops::Range;
 
@@ -205,7 +205,7 @@ mod tests {
             let told = excerpt.location((), range.start).unwrap();
             let meant = index.position(spans[0].start);
             prop_assert_eq!(told.line_number, meant.line as usize);
-            // A place in the end of a line counts as the end of its shown part.
+            // A position at the end of a line counts as the end of its shown part.
             let line = index.line_text(meant.line).chars().count();
             prop_assert_eq!(told.column_number, (meant.column as usize).min(line + 1));
         }

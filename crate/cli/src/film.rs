@@ -1,5 +1,4 @@
-//! Films: frames piped into ffmpeg together with the story's sounds, or numbered pictures
-//! where there is no ffmpeg.
+//! Films: frames piped into ffmpeg with the story's audio, or numbered images without ffmpeg.
 
 use std::fs;
 use std::io::Write as _;
@@ -72,7 +71,7 @@ impl Sink {
             "-pix_fmt",
             "yuv420p",
         ]);
-        // A name with a number in it stands for a file a frame.
+        // A path with a number pattern selects one file per frame.
         let film = if path.to_string_lossy().contains('%') {
             PendingFile::direct(path)
         } else {

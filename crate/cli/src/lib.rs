@@ -1,8 +1,8 @@
-//! `raconteur`: checks, times, poses, renders and bakes stories without a browser. The program is
-//! [`run`] alone; what reads bytes of strangers can be asked from outside, too.
+//! `raconteur`: checks, times, poses, renders and bakes stories without a browser. [`run`] is the
+//! whole program; the parsers of untrusted bytes are public too.
 //!
-//! Errors go to stderr as `file:line:column: severity[code]: message` with an excerpt and a
-//! hint. Exit status: 0 fine, 1 errors in the input, 2 wrong usage.
+//! Errors go to stderr as `file:line:column: severity[code]: message` with an excerpt and a hint.
+//! Exit status: 0 success, 1 errors in the input, 2 wrong usage.
 
 mod assets;
 mod commands;

@@ -15,7 +15,7 @@ fn calm_device_layer() {
     const NO_LAYER: &str = "NODEVICE_SELECT";
     let session = env::var_os("XDG_RUNTIME_DIR").is_some_and(|folder| Path::new(&folder).is_dir());
     if !session && env::var_os(NO_LAYER).is_none() {
-        // SAFETY: see above; this is the first thing that the program does.
+        // SAFETY: see above; this is the program's first statement.
         unsafe { env::set_var(NO_LAYER, "1") };
     }
 }

@@ -1,4 +1,4 @@
-//! Work on many numbered things, on all processors.
+//! Parallel processing of numbered items on all processors.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -48,7 +48,10 @@ mod tests {
     #[test]
     fn everything_is_made_once_and_in_order() {
         let squares = map(3..200, |n| Ok(n * n)).unwrap();
-        assert!(squares.into_iter().eq((3..200).map(|n| n * n)));
+        assert!(
+            squares.into_iter().eq((3..200).map(|n| n * n)),
+            "the results are in the order of the input"
+        );
         let told = map(0..9, |n| if n == 4 { anyhow::bail!("four") } else { Ok(n) });
         assert_eq!(told.unwrap_err().to_string(), "four");
     }

@@ -1,4 +1,4 @@
-//! Pictures of figures, decoded: the renderer takes pixels, and here is no browser.
+//! Image decoder for figures: the renderer needs pixels, and no browser is available here.
 
 use std::path::Path;
 
@@ -141,14 +141,26 @@ mod tests {
     fn what_is_no_picture_is_an_error() {
         let whole = png_file(png::ColorType::Rgb, (16, 16), &[7; 768]);
         for cut in [0, 5, 20, 40, whole.len() - 20] {
-            assert!(decode(&image("image/png", whole[..cut].to_vec())).is_err());
+            assert!(
+                decode(&image("image/png", whole[..cut].to_vec())).is_err(),
+                "a truncated PNG is rejected"
+            );
         }
         for bytes in [vec![], vec![0xff, 0xd8], vec![0xff; 100], whole.clone()] {
-            assert!(decode(&image("image/jpeg", bytes)).is_err());
+            assert!(
+                decode(&image("image/jpeg", bytes)).is_err(),
+                "a truncated JPEG is rejected"
+            );
         }
-        assert!(decode(&image("image/webp", whole)).is_err());
-        // A header that claims more than is taken.
+        assert!(
+            decode(&image("image/webp", whole)).is_err(),
+            "a mislabelled image is rejected"
+        );
+        // A header that claims more than the limit.
         let huge = png_file(png::ColorType::Grayscale, (9000, 1), &[0; 9000]);
-        assert!(decode(&image("image/png", huge)).is_err());
+        assert!(
+            decode(&image("image/png", huge)).is_err(),
+            "an oversized image is rejected"
+        );
     }
 }

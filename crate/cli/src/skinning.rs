@@ -1,4 +1,4 @@
-//! Where the vertices of a posed figure are, for output without a device.
+//! Vertex positions of a posed figure, for output without a device.
 
 use raconteur_base::{DAffine3, DMat3, DVec3, NodeState};
 use raconteur_body::{Bone, Figure, Mesh};
@@ -42,7 +42,7 @@ pub(crate) fn skin(
             normals[v as usize] += wide(normal) * weight;
         }
     }
-    // What follows the tissue has the jaw's turn from it.
+    // Vertices bound to the tissue receive the jaw's turn from it.
     let mut is_bound = vec![false; positions.len()];
     if let Some(binding) = mesh.binding.as_ref().filter(|_| !tissue.is_empty()) {
         for (v, moved, turned) in binding.apply(tissue) {

@@ -1,4 +1,4 @@
-//! The soundtrack of a film: utterances as they were baked, and music at its level.
+//! Soundtrack of a film: baked utterances, and music at its level.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Finding and reading a story and what it needs.
+//! Location and reading of a story and its resources.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

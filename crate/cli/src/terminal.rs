@@ -1,5 +1,5 @@
-//! The standard output and error as people read them. What is printed quotes stories, their file
-//! names and what other programs say; a terminal is to show that and not to obey it.
+//! Standard output and error for people. The output quotes stories, file names and messages of
+//! other programs; a terminal must show them without interpreting control characters.
 
 use std::io::{self, StderrLock, StdoutLock, Write};
 

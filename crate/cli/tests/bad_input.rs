@@ -1,5 +1,5 @@
-//! Messages to a user who makes a mistake: every kind of bad input gives a diagnostic with
-//! line and column, the rest still plays, and nothing hangs.
+//! Messages for user errors: every kind of bad input gives a diagnostic with line and column, the
+//! rest still plays, and nothing hangs.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -129,7 +129,7 @@ fn ten_megabytes_and_ten_thousand_levels_come_to_an_end() {
     let scratch = Scratch::new("large");
     let clause = "<event time='0' type='tick'>payload of some length</event>\n";
     let large = wrapped(&clause.repeat(10_000_000 / clause.len()));
-    assert!(large.len() > 9_900_000);
+    assert!(large.len() > 9_900_000, "the story has more than 9.9 MB");
     let (list, code) = diagnostics(&scratch.story(large));
     assert_eq!((list.len(), code), (0, 0), "{:#?}", list.first());
 }
@@ -138,7 +138,10 @@ fn ten_megabytes_and_ten_thousand_levels_come_to_an_end() {
 fn a_missing_file_is_named() {
     let out = raconteur(&["check"], Path::new("no/such/story.eml"));
     assert_eq!(out.status.code(), Some(1));
-    assert!(String::from_utf8_lossy(&out.stderr).contains("no/such/story.eml"));
+    assert!(
+        String::from_utf8_lossy(&out.stderr).contains("no/such/story.eml"),
+        "stderr names the missing file"
+    );
 }
 
 #[test]
@@ -165,7 +168,10 @@ fn text_that_is_not_utf8_is_named_and_does_not_stop_the_rest() {
     assert_eq!((&found["start"]["offset"], code), (&Value::from(at), 1));
     assert!(found["hints"].to_string().contains("UTF-8"), "{found}");
     let out = raconteur(&["timeline", "--format", "json"], &file);
-    assert!(String::from_utf8_lossy(&out.stdout).contains("voice-text"));
+    assert!(
+        String::from_utf8_lossy(&out.stdout).contains("voice-text"),
+        "the valid file is still checked"
+    );
 }
 
 #[test]
@@ -260,7 +266,10 @@ fn utf16_is_one_error_with_a_hint() {
         let (list, code) = diagnostics(&scratch.story(bytes));
         assert_eq!((list.len(), code), (1, 1), "{list:#?}");
         assert_eq!(list[0]["code"], "eml::not-utf8");
-        assert!(list[0]["hints"].to_string().contains("UTF-8"));
+        assert!(
+            list[0]["hints"].to_string().contains("UTF-8"),
+            "the hint names UTF-8"
+        );
     }
 }
 
@@ -327,7 +336,10 @@ fn what_is_told_of_a_hostile_story_is_short() {
             assert!(alike <= 20 || code == "eml::more", "{i}: {alike} {code}");
         }
         if i == 0 {
-            assert!(list.iter().any(|d| d["code"] == "eml::too-many-attributes"));
+            assert!(
+                list.iter().any(|d| d["code"] == "eml::too-many-attributes"),
+                "the diagnostics include too many attributes"
+            );
         }
     }
 }
@@ -372,9 +384,9 @@ fn a_new_story_plays_wherever_it_is() {
     let told = String::from_utf8_lossy(&checked.stderr).into_owned();
     assert!(checked.status.success() && told.is_empty(), "{told}");
     let posed = run(&["pose", "first", "--at", "1", "--digest"]);
-    assert!(posed.status.success());
-    // Nor do messages of libraries get into the output, for one that there is no session, or that
-    // its folder is none.
+    assert!(posed.status.success(), "the new story renders a pose");
+    // Library messages must not reach the output, for example about a missing session or an invalid
+    // session folder.
     for session in [None, Some("/no/such/folder"), Some("first/story.eml")] {
         let mut command = Command::new(env!("CARGO_BIN_EXE_raconteur"));
         match session {
@@ -391,10 +403,14 @@ fn a_new_story_plays_wherever_it_is() {
         );
     }
     // An existing file is not overwritten.
-    assert!(!run(&["new", "first"]).status.success());
+    assert!(
+        !run(&["new", "first"]).status.success(),
+        "an existing story is not overwritten"
+    );
     assert!(
         !run(&["--assets", "nowhere", "check", "first"])
             .status
-            .success()
+            .success(),
+        "a missing assets folder is rejected"
     );
 }

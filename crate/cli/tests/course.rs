@@ -1,5 +1,4 @@
-//! Courses: the one that `new --course` makes, pictures that are not there, and packages of several
-//! lessons.
+//! Courses: the output of `new --course`, missing images, and packages of several lessons.
 
 use std::fs::{self, File};
 use std::io::Read as _;
@@ -104,7 +103,10 @@ fn exported(standard: &str) -> (ZipArchive<File>, Vec<String>) {
     let without = raconteur(&[
         "export", one, two, standard, "--player", player, "--output", zip,
     ]);
-    assert!(!without.status.success() && stderr_of(&without).contains("--title"));
+    assert!(
+        !without.status.success() && stderr_of(&without).contains("--title"),
+        "the export without a title reports `--title`"
+    );
     let out = raconteur(&[
         "export", one, two, standard, "--title", "The pond", "--player", player, "--output", zip,
     ]);
@@ -140,7 +142,8 @@ fn several_lessons_are_one_package_with_their_pictures() {
     let manifest = text(&mut archive, "imsmanifest.xml");
     assert_eq!(manifest.matches("scormtype=\"sco\"").count(), 2);
     assert!(
-        manifest.contains("<title>Лягушка</title>") && manifest.contains("<title>Сова</title>")
+        manifest.contains("<title>Лягушка</title>") && manifest.contains("<title>Сова</title>"),
+        "the manifest has both titles"
     );
 }
 

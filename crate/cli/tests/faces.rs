@@ -1,4 +1,4 @@
-//! The shipped faces: a crowd of them is like the population, and no skin passes through skin.
+//! Shipped faces: a crowd of them resembles the population, and no skin passes through skin.
 
 use std::path::PathBuf;
 use std::process::Command;

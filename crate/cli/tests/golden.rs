@@ -1,4 +1,4 @@
-//! Golden pictures, drawn natively without a screen. `UPDATE=1` redraws them.
+//! Golden images, rendered natively without a screen. `UPDATE=1` renders them again.
 
 use std::fs::File;
 use std::io::BufReader;

@@ -1,5 +1,5 @@
-//! A story chooses its figure, voice and language; options and attributes may choose others,
-//! and where a figure cannot be had the usual one performs.
+//! Performer selection: a story sets its figure, voice and language; options and attributes may
+//! override them, and the default figure replaces an unavailable one.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -107,7 +107,7 @@ fn the_voice_is_the_one_asked_for_else_the_storys() {
         engine.contains("eSpeak") || engine.starts_with("espeak-ng"),
         "{engine} {voice}"
     );
-    // What names no voice is said in the story's language, by a voice that speaks it.
+    // Without a voice, the text is spoken in the story's language by a matching voice.
     let [_, _, language] = baked(&story("de", "language='de'"), &[]);
     assert_eq!(language.split('-').next(), Some("de"));
 }

@@ -1,4 +1,4 @@
-//! The stories that ship: no diagnostics, and times that follow their speech.
+//! Shipped stories: no diagnostics, and times that follow their speech.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -45,18 +45,27 @@ fn hello_world_greets_when_its_words_are_spoken() {
     let voice = starts(&t, "voice-text")[0];
     let keys = starts(&t, "gesture-key");
     let world = t["marks"]["t2"].as_f64().expect("the mark t2");
-    // GEVH 3.6.1: the hand rises 0.1 s before the clause that says "Hello"; the beat falls
-    // on the start of "world".
+    // GEVH 3.6.1: the hand rises 0.1 s before the clause with "Hello"; the beat coincides with the
+    // start of "world".
     assert!((keys[0] - (voice - 0.1)).abs() < 1e-9, "{keys:?} {voice}");
     assert!((keys[1] - world).abs() < 1e-9, "{keys:?} {world}");
-    assert!(world > voice + 0.2);
+    assert!(
+        world > voice + 0.2,
+        "the greeting is performed when it is spoken"
+    );
 }
 
 #[test]
 fn the_folk_tale_is_long_and_full_of_gestures() {
     let t = timeline("white-rabbit");
-    assert!(t["duration"].as_f64().expect("a duration") >= 75.0);
-    assert!(starts(&t, "gesture-key").len() >= 25);
+    assert!(
+        t["duration"].as_f64().expect("a duration") >= 75.0,
+        "the folk tale lasts at least 75 s"
+    );
+    assert!(
+        starts(&t, "gesture-key").len() >= 25,
+        "the folk tale has at least 25 gesture keys"
+    );
 }
 
 /// Returns true if a time lies on a beat of the given duration.
@@ -68,7 +77,10 @@ fn on_beat(secs: f64, beat_secs: f64) -> bool {
 #[test]
 fn every_step_of_the_lesson_begins_on_a_beat() {
     let t = timeline("step-lesson");
-    assert!(t["duration"].as_f64().expect("a duration") >= 240.0);
+    assert!(
+        t["duration"].as_f64().expect("a duration") >= 240.0,
+        "the lesson lasts at least 240 s"
+    );
     assert_eq!(t["lead_in"].as_f64(), Some(0.0));
     let text = std::fs::read_to_string(story("step-lesson")).expect("the script");
     let mut steps: Vec<&str> = text
@@ -80,14 +92,17 @@ fn every_step_of_the_lesson_begins_on_a_beat() {
     steps.sort_unstable();
     steps.dedup();
     assert!(steps.len() >= 26, "{steps:?}");
-    // Arms that greet may come between beats; from the march on everything is in time.
+    // Greeting arms may move between beats; from the march on, everything is in time.
     let late: Vec<f64> = starts(&t, "body-deterministic-primitive")
         .into_iter()
         .filter(|s| (16.0..236.0).contains(s) && !on_beat(*s, 0.5))
         .collect();
     assert!(late.is_empty(), "{late:?}");
-    // What comes is announced: at least once in each eight counts.
-    assert!(starts(&t, "voice-text").len() >= 60);
+    // Each change is announced: at least once in each eight counts.
+    assert!(
+        starts(&t, "voice-text").len() >= 60,
+        "the lesson has at least 60 utterances"
+    );
 }
 
 #[test]
@@ -113,7 +128,7 @@ fn counts_fall_on_the_beat() {
             .flatten()
             .find(|u| u["text"] == word)
             .expect("it was baked");
-        // Its first phone, and how long those before it last.
+        // Its first phone, and the duration of the preceding ones.
         let first = spoken["words"][0][2].as_u64().expect("a phone") as usize;
         let lengths = spoken["msecs"].as_array().expect("lengths").iter();
         let before: u64 = lengths.take(first).filter_map(Value::as_u64).sum();
@@ -130,7 +145,10 @@ fn counts_fall_on_the_beat() {
 #[test]
 fn the_dance_knows_every_function() {
     let t = timeline("mathematical-dance");
-    assert!(t["duration"].as_f64().expect("a duration") >= 240.0);
+    assert!(
+        t["duration"].as_f64().expect("a duration") >= 240.0,
+        "the dance lasts at least 240 s"
+    );
     let text = std::fs::read_to_string(story("mathematical-dance")).expect("the script");
     for function in [
         "segment",
@@ -150,10 +168,16 @@ fn the_dance_knows_every_function() {
     for limb in ["leftArm", "rightArm", "leftLeg", "rightLeg", "head"] {
         assert!(text.contains(&format!("manipulator='{limb}'")), "{limb}");
     }
-    assert!(starts(&t, "vh-move").len() > 60);
-    // No animation helps but one that holds the fingers.
+    assert!(
+        starts(&t, "vh-move").len() > 60,
+        "the dance has more than 60 movements"
+    );
+    // Only an animation that holds the fingers has an effect.
     assert_eq!(text.matches("animationSetName").count(), 1);
-    assert!(text.contains("animationSetName='hand-shape-1'><tracks><ref name='hands'/>"));
+    assert!(
+        text.contains("animationSetName='hand-shape-1'><tracks><ref name='hands'/>"),
+        "the dance refers to its hand shapes"
+    );
 }
 
 #[test]
@@ -293,5 +317,8 @@ fn a_file_that_is_not_there_keeps_nothing_else_from_being_baked() {
         told.contains("poem.txt; nothing is said in its place"),
         "{told}"
     );
-    assert!(!folder.path().join("voice").exists());
+    assert!(
+        !folder.path().join("voice").exists(),
+        "a story with a missing file is not baked"
+    );
 }

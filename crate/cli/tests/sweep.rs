@@ -21,15 +21,21 @@ fn sweep(arguments: &[&str], story: &Path) -> Output {
 #[test]
 fn a_shipped_story_passes_and_the_report_is_complete() {
     let out = sweep(&["--format", "json"], &assets().join("stories/hello-world"));
-    assert!(out.status.success());
+    assert!(
+        out.status.success(),
+        "the sweep of a shipped story succeeds"
+    );
     let report: Value = serde_json::from_slice(&out.stdout).expect("JSON");
     let checks = report["checks"].as_array().expect("checks");
-    assert!(checks.len() >= 10);
+    assert!(checks.len() >= 10, "the report has at least 10 checks");
     for check in checks {
         for number in ["worst", "limit", "at_secs"] {
             assert!(check[number].is_f64(), "{check}");
         }
-        assert!(check["name"].is_string() && check["unit"].is_string());
+        assert!(
+            check["name"].is_string() && check["unit"].is_string(),
+            "the check has a name and a unit"
+        );
         assert_eq!(check["ok"], true);
     }
 }

@@ -1,5 +1,5 @@
-//! Checks that look at the whole document: what clauses refer to, and attributes that
-//! mean nothing beside others.
+//! Checks of the whole document: references of clauses, and attributes without effect next to
+//! others.
 
 use crate::clauses::functions::FunctionArgs;
 use crate::clauses::manipulators::{ForwardKinematics, JOINTS, Jacobian};
@@ -29,8 +29,7 @@ pub(crate) fn clauses(document: &Document, is_fragment: bool, sink: &mut Sink) {
             playing.push(clause);
         }
     }
-    // What a mind refers to may have been made by the script that plays, but for what every
-    // figure has.
+    // A mind may refer to definitions of the running script, apart from those of every figure.
     let own = (!is_fragment).then(|| (sets(&document.sets, sink), players(&playing, sink)));
     for clause in playing {
         references(clause, own.as_ref(), sink);
@@ -210,7 +209,7 @@ fn references(clause: &Clause, own: Option<&(Index<'_>, Starts<'_>)>, sink: &mut
 /// The names of all players; one name is for one player.
 fn players<'d>(playing: &[&'d Clause], sink: &mut Sink) -> Starts<'d> {
     let mut players = Starts::new();
-    // A player that is removed may come back under its name.
+    // A removed player may return under its name.
     let mut removed = false;
     for clause in playing {
         let name = match &clause.kind {

@@ -1,5 +1,5 @@
-//! A script's bytes as text. Only here is it known which bytes were no text: in the text, what
-//! stands for them may as well be a character that somebody wrote.
+//! Decoding of a script's bytes to text. Only this module knows the invalid bytes: in the text,
+//! their replacement could also be a character of the author.
 
 use raconteur_base::encoding;
 

@@ -203,7 +203,7 @@ mod tests {
                 make(CODES[kind], Span::new(at, at), String::new())
             };
             kinds.iter().for_each(|kind| sink.push(one(kind)));
-            // Thinning twice changes nothing but the order of the counts.
+            // Repeated thinning changes only the order of the counts.
             let told = sink.finish();
             prop_assert_eq!(thinned(told.clone()).len(), told.len());
             prop_assert!(told.iter().filter(|d| d.code != MORE).count() <= limit);

@@ -1,4 +1,4 @@
-//! The typed document: clauses with their values read, times not yet resolved.
+//! Typed document: clauses with parsed values and unresolved times.
 
 use crate::RunUp;
 use crate::clauses::asking::{Assignment, Condition, Draw, Goto, Heading, Question, Reaction};

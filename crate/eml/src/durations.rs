@@ -1,4 +1,4 @@
-//! How long speech and animations take: a trait that the player implements.
+//! Durations of speech and animations: a trait that the player implements.
 
 use crate::emoticon;
 use crate::voice::{Item, is_letter};
@@ -79,20 +79,20 @@ impl Durations for EstimatedDurations {
             _ => None,
         });
         let mut next_break = breaks.next();
-        // A list that grows is copied several times, so there is room for words of three
-        // letters; excess capacity is given back.
+        // A growing list is copied several times, so the capacity suffices for words of three
+        // letters; the excess is released.
         let bytes = text.pieces.iter().map(|piece| match piece {
             TextSegment::Text { text, .. } => text.len(),
             _ => 0,
         });
         timing.words.reserve_exact(bytes.sum::<usize>() / 4 + 1);
         let mut now = 0.0_f64;
-        // Where silence after the last word ends; the utterance ends with the word.
+        // The end of silence after the last word; the utterance ends with the word.
         let mut resume = 0.0_f64;
         let _ = text.scan(&mut |item| {
             let word = match item {
                 Item::Word(word) => word,
-                // Punctuation that stands behind an emoticon or alone is the last word's.
+                // Punctuation after an emoticon or without a word belongs to the last word.
                 Item::Signs(signs) | Item::Emoticon { rest: signs, .. } if now > 0.0 => {
                     resume = resume.max(now + pause_after(signs));
                     return ControlFlow::Continue(());
@@ -183,8 +183,17 @@ mod tests {
     fn punctuation_and_breaks_pause() {
         let timing = timing("One, two. <break msec='100'/>Three<break msec='50'/>");
         let gap = |i: usize| timing.words[i + 1].start_secs - timing.words[i].end_secs;
-        assert!((gap(0) - COMMA_SECS).abs() < 1e-12);
-        assert!((gap(1) - SENTENCE_SECS - 0.1).abs() < 1e-12);
-        assert!((timing.duration_secs - timing.words[2].end_secs - 0.05).abs() < 1e-12);
+        assert!(
+            (gap(0) - COMMA_SECS).abs() < 1e-12,
+            "the pause after the comma"
+        );
+        assert!(
+            (gap(1) - SENTENCE_SECS - 0.1).abs() < 1e-12,
+            "the pause after the sentence and its break"
+        );
+        assert!(
+            (timing.duration_secs - timing.words[2].end_secs - 0.05).abs() < 1e-12,
+            "the pause after the last word"
+        );
     }
 }

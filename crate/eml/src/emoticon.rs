@@ -1,7 +1,7 @@
 //! Emoticons and emoji in texts, each with the word of an emotion (F&H section 4.3.2).
 //!
-//! Word counts, captions, speech and emotions must agree on which tokens are not words, so
-//! all of them ask here.
+//! Word counts, captions, speech and emotions must agree on the tokens that are not words, so all
+//! of them use this module.
 
 /// Emoticons of F&H table 4.1. They may also be written with spaces between their signs, as in
 /// table 4.2.
@@ -100,7 +100,7 @@ fn is_variation(c: char) -> bool {
 /// punctuation behind it.
 #[must_use]
 pub fn whole(token: &str) -> Option<(&'static str, &str)> {
-    // No sign is empty, and none begins otherwise.
+    // No sign is empty, and every sign begins with one of these characters.
     let sign = token.trim_start_matches(OPENING);
     if !sign.starts_with([':', ';', '>', '<']) {
         return None;
@@ -218,7 +218,7 @@ impl Spaced {
     }
 
     fn push(&mut self, token: &[u8]) {
-        // The first ones go as far as there is no room.
+        // The oldest signs are removed until the new one fits.
         while self.pending() + token.len() > self.signs.len() || self.lengths[0] > 0 {
             let first = self.lengths.iter().position(|n| *n > 0).unwrap_or(0);
             let gone = usize::from(core::mem::take(&mut self.lengths[first]));
@@ -274,7 +274,7 @@ mod tests {
         assert_eq!(of("❤\u{fe0f}"), [vec!["love"], vec![]]);
         assert_eq!(of("🙏🏽"), [vec!["gratitude"], vec![]]);
         assert_eq!(of("😮\u{200d}💨"), [vec!["relief"], vec![]]);
-        // Joined to something else it is something else.
+        // A joined sequence is a different sign.
         assert_eq!(of("❤\u{fe0f}\u{200d}🔥"), [Vec::<&str>::new(), vec![]]);
         assert_eq!(without_emoji("Hi🐇!").as_deref(), Some("Hi!"));
         for sign in [

@@ -1,5 +1,4 @@
-//! Where a spoken text feels something: its emoticons, and the phrases in which they stand
-//! (F&H section 4.3.5).
+//! Emotions of a spoken text: its emoticons and their phrases (F&H section 4.3.5).
 
 use crate::VoiceText;
 use crate::emoticon::is_emoji;

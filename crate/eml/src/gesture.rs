@@ -1,4 +1,4 @@
-//! What a gesture-key holds (GEVH 3.5.1, D.5), in EML's own units and axes.
+//! Content of a gesture-key (GEVH 3.5.1, D.5), in EML's own units and axes.
 
 use crate::Span;
 use crate::record::{record, words};

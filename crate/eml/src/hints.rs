@@ -1,4 +1,4 @@
-//! What names in a lesson may have meant, and what is there twice.
+//! Hints for names in a lesson: likely meanings and duplicates.
 
 use crate::suggest::{MAX_HINTS, nearest, quoted};
 use crate::{Diagnostic, Span};

@@ -1,15 +1,13 @@
-//! The Expression Markup Language (GEVH appendix D): text to typed document to
-//! timeline.
+//! Expression Markup Language (GEVH appendix D): text to typed document to timeline.
 //!
-//! Does: parse EML and recover from anything malformed in it, check it against
-//! one table of elements ([`schema::ELEMENTS`]), report problems as data with
-//! byte spans ([`Diagnostic`]), and resolve every time expression to seconds
-//! ([`Timeline::resolve`]).
-//! Does not: read files, fetch entities or references, know how speech is made
-//! (it asks [`Durations`]) or what a clause does to a body.
+//! Scope: parsing of EML with recovery from any malformed part, checks against one table of
+//! elements ([`schema::ELEMENTS`]), problems as data with byte spans ([`Diagnostic`]), and
+//! resolution of every time expression to seconds ([`Timeline::resolve`]).
+//! Out of scope: file access, fetching of entities or references, speech synthesis (it queries
+//! [`Durations`]) and the effect of clauses on a body.
 //!
-//! Values keep EML's own units and axes: seconds, degrees, skeleton units; `x` to
-//! the speaker's left, `y` up, `z` to the back. Consumers convert them.
+//! Values keep EML's own units and axes: seconds, degrees, skeleton units; `x` to the speaker's
+//! left, `y` up, `z` to the back. Consumers convert them.
 
 mod check;
 mod clauses;

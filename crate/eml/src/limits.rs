@@ -1,4 +1,4 @@
-//! Bounds on what a document may cost.
+//! Limits on the cost of a document.
 
 /// Limits on the cost of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! The namespaces of a document: what a prefix means where.
+//! Namespaces of a document: the meaning of a prefix in its scope.
 
 use crate::diagnostic::Sink;
 use crate::markup::{Node, NodeKind, Tree};
@@ -144,7 +144,7 @@ impl<'a> Namespaces<'a> {
         let holds = |b: &&Binding<'_>| b.prefix == prefix && (b.from..b.to).contains(&node);
         let owner = match self.bindings.iter().rev().find(holds) {
             Some(binding) if binding.extensions => Owner::Extensions,
-            // Whatever a script calls the namespace of the language itself.
+            // A script may use any prefix for the namespace of the language itself.
             _ if prefix.is_empty() => Owner::Language,
             Some(_) => Owner::Foreign,
             None => Owner::Unbound,

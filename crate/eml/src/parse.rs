@@ -1,4 +1,4 @@
-//! From text to document.
+//! Parser from text to document.
 
 use crate::diagnostic::Sink;
 use crate::markup::NodeKind;
@@ -363,7 +363,7 @@ impl Context<'_> {
             }
             Role::Group(wrap) => {
                 let mut group = schema::read_group(self, &fields);
-                // A group without a time takes its clauses with it.
+                // A group without a time removes its clauses.
                 clause.start = start.ok()?;
                 self.push_clause(clause);
                 self.children(node, element, |cx, child, entry| {
@@ -396,7 +396,7 @@ impl Context<'_> {
         mut clause: Clause,
         id: ClauseId,
     ) -> Option<()> {
-        // What follows from an answer is then for whoever asks to send.
+        // The sender of the question then handles the effects of an answer.
         if self.is_fragment && fields.element.name != "ask" {
             let message =
                 "questions and branching are only allowed in stories, not in a live performance";
@@ -437,7 +437,7 @@ impl Context<'_> {
             let expected = count as u64 * self.source_bytes as u64 / read;
             let expected = usize::try_from(expected).unwrap_or(usize::MAX);
             let more = expected.min(self.limits.clauses).saturating_sub(count);
-            // A quarter at least, so that a script that grows denser stays linear.
+            // At least a quarter, so that an increasingly dense script stays linear.
             clauses.reserve_exact((more + more / 16).max(count / 4));
         }
         clauses.push(clause);

@@ -1,5 +1,4 @@
-//! Checks of a lesson: questions that can be answered, answers, variables and parts that
-//! there are.
+//! Checks of a lesson: answerable questions, and existing answers, variables and parts.
 
 use crate::clauses::asking::{Assignment, Condition};
 use crate::diagnostic::Sink;

@@ -1,4 +1,4 @@
-//! Checks of one question: that it can be answered, and that its answers answer something.
+//! Checks of one question: it can be answered, and its answers have a question.
 
 use crate::clauses::asking::{AskKind, AskOption, Question};
 use crate::clauses::sets::BONES;
@@ -125,7 +125,7 @@ fn lack(asked: &Question, option: &AskOption) -> Option<&'static str> {
     };
     let is_graded = asked.is_graded;
     let says = |text: Option<&str>| text.is_some_and(|text| !text.is_empty());
-    // A picture says it as well as words do, to those who have its words.
+    // An image with a text alternative is as good as words.
     let is_shown = option.picture.is_some() && says(option.alt.as_deref());
     let is_mute = option.text.is_empty() && !is_shown;
     match asked.kind {

@@ -1,5 +1,5 @@
-//! What lets one piece of code read, write and invent every clause: a record names its
-//! attributes and children once, and a visitor goes through them.
+//! Shared code to read, write and generate every clause: a record names its attributes and children
+//! once, and a visitor traverses them.
 
 use crate::{Name, Span};
 

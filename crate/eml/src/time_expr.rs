@@ -375,8 +375,14 @@ mod tests {
 
     #[test]
     fn names_have_no_minus_and_are_no_numbers() {
-        assert!(is_name("t1") && is_name("_x.y") && is_name("é"));
-        assert!(!is_name("t-1") && !is_name("1t") && !is_name("") && !is_name("nan"));
+        assert!(
+            is_name("t1") && is_name("_x.y") && is_name("é"),
+            "valid names are accepted"
+        );
+        assert!(
+            !is_name("t-1") && !is_name("1t") && !is_name("") && !is_name("nan"),
+            "names with a minus, digits and NaN are rejected"
+        );
     }
 
     #[test]

@@ -70,7 +70,7 @@ fn every_example_uses_its_element_and_plays_without_fault() {
 fn every_code_is_explained() {
     let explained: BTreeSet<String> = CODES.iter().map(|(code, _)| (*code).to_owned()).collect();
     assert_eq!(explained.len(), CODES.len());
-    assert!(CODES.is_sorted());
+    assert!(CODES.is_sorted(), "the diagnostic codes are sorted");
     let mut used = BTreeSet::new();
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     collect(&source, &mut used);

@@ -100,7 +100,10 @@ fn ten_megabytes_are_read() {
     let count = 10_000_000 / clause.len();
     let source = format!("<eml>\n <body>\n{}</body>\n</eml>\n", clause.repeat(count));
     let parsed = parse(&source);
-    assert!(parsed.diagnostics.is_empty());
+    assert!(
+        parsed.diagnostics.is_empty(),
+        "the large file has no diagnostics"
+    );
     assert_eq!(parsed.document.clauses.len(), count);
     let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
     assert_eq!(resolved.timeline.clauses.len(), count);
@@ -250,7 +253,13 @@ fn hostile_shapes_stay_linear() {
         let parsed = parse(&shape);
         let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
         let all = parsed.diagnostics.iter().chain(&resolved.diagnostics);
-        assert!(all.clone().count() <= 402);
-        assert!(all.clone().any(|d| d.severity == Severity::Error) || shape.contains("+1"));
+        assert!(
+            all.clone().count() <= 402,
+            "the number of diagnostics is bounded"
+        );
+        assert!(
+            all.clone().any(|d| d.severity == Severity::Error) || shape.contains("+1"),
+            "a hostile shape is reported as an error"
+        );
     }
 }

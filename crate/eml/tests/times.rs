@@ -133,7 +133,10 @@ fn cycles_and_names_that_nothing_has_print_the_whole_chain() {
             ),
         ]
     );
-    assert!(resolved.timeline.clauses.is_empty());
+    assert!(
+        resolved.timeline.clauses.is_empty(),
+        "a cycle leaves no clauses"
+    );
 }
 
 #[test]

@@ -118,7 +118,10 @@ mod tests {
         };
         let faces: Vec<Vec<f64>> = people.iter().map(face).collect();
         let life = AgeModel::learn(&people, &faces);
-        assert!(life.fits(2) && !life.fits(3));
+        assert!(
+            life.fits(2) && !life.fits(3),
+            "two attributes fit and three do not"
+        );
         let off = |change: Vec<f64>, wanted: [f64; 2]| {
             change
                 .iter()
@@ -126,9 +129,18 @@ mod tests {
                 .map(|(a, b)| (a - b).abs())
                 .fold(0.0, f64::max)
         };
-        assert!(off(life.change(10.0, 20.0, 0.0), [0.5, 0.0]) < 0.05);
-        assert!(off(life.change(20.0, 80.0, 1.0), [0.0, 2.0]) < 0.05);
-        assert!(off(life.change(70.0, 10.0, 0.0), [-0.5, -50.0 / 60.0]) < 0.05);
+        assert!(
+            off(life.change(10.0, 20.0, 0.0), [0.5, 0.0]) < 0.05,
+            "the change from 10 to 20 years"
+        );
+        assert!(
+            off(life.change(20.0, 80.0, 1.0), [0.0, 2.0]) < 0.05,
+            "the change from 20 to 80 years"
+        );
+        assert!(
+            off(life.change(70.0, 10.0, 0.0), [-0.5, -50.0 / 60.0]) < 0.05,
+            "the change from 70 to 10 years"
+        );
         assert_eq!(life.change(44.0, 44.0, 0.3), [0.0, 0.0]);
         assert_eq!(
             AgeModel::learn(&people[..9], &faces[..9]),
@@ -143,7 +155,8 @@ mod tests {
         assert!(
             people()
                 .iter()
-                .all(|p| terms(p.age_years, p.sex).iter().all(|x| x.is_finite()))
+                .all(|p| terms(p.age_years, p.sex).iter().all(|x| x.is_finite())),
+            "all terms of unusual ages are finite"
         );
     }
 }

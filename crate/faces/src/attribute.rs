@@ -164,7 +164,10 @@ mod tests {
                 let mut face = own[0].clone();
                 let before = attribute.value(&space, &face);
                 attribute.add(&mut face, 1.0);
-                assert!((attribute.value(&space, &face) - before - 1.0).abs() < 1e-9);
+                assert!(
+                    (attribute.value(&space, &face) - before - 1.0).abs() < 1e-9,
+                    "one step changes the attribute by 1"
+                );
             }
         }
     }
@@ -179,7 +182,10 @@ mod tests {
         let square: f64 = labels.iter().map(|w| (w - mean) * (w - mean)).sum();
         let step = 30.0 / square;
         for (by, along) in attribute.change.iter().zip(attribute.direction()) {
-            assert!((by - step * along).abs() < 1e-9);
+            assert!(
+                (by - step * along).abs() < 1e-9,
+                "the step equals that of the thesis"
+            );
         }
     }
 
@@ -196,7 +202,10 @@ mod tests {
         let attribute = Attribute::learn("a", &space, &own, &labels).expect("a direction");
         let mean = labels.iter().sum::<f64>() / 200.0;
         for (face, label) in own.iter().zip(&labels) {
-            assert!((attribute.value(&space, face) - (label - mean)).abs() < 1e-9);
+            assert!(
+                (attribute.value(&space, face) - (label - mean)).abs() < 1e-9,
+                "the attribute of a face is its label minus the mean"
+            );
         }
     }
 
@@ -217,12 +226,18 @@ mod tests {
             *c += along;
         }
         let value = |c: &[f64]| attribute.value(&space, c);
-        assert!((value(&other) - value(&face)).abs() < 1e-9);
+        assert!(
+            (value(&other) - value(&face)).abs() < 1e-9,
+            "both faces have the same attribute value"
+        );
         let change = |to: &[f64]| {
             let change: Vec<f64> = to.iter().zip(&own[5]).map(|(a, b)| a - b).collect();
             likely(&change)
         };
-        assert!(change(&face) < change(&other));
+        assert!(
+            change(&face) < change(&other),
+            "the change by deviations is more likely"
+        );
     }
 
     #[test]

@@ -243,10 +243,14 @@ mod tests {
         assert!(
             all.iter()
                 .zip(&difference)
-                .all(|(a, b)| (a - b).abs() < 1e-12)
+                .all(|(a, b)| (a - b).abs() < 1e-12),
+            "a weight of 1 keeps the whole difference"
         );
         let none = grid.blended(&difference, &grid.softened(&[0.0; SIDE * SIDE]));
-        assert!(none.iter().all(|x| *x == 0.0));
+        assert!(
+            none.iter().all(|x| *x == 0.0),
+            "a weight of 0 keeps no difference"
+        );
     }
 
     #[test]

@@ -35,7 +35,8 @@ pub use edit::{Affine, Change, Constraint, Editor, Face, Part, Region, USUAL_DET
 pub use error::FaceError;
 pub use feature::Feature;
 pub use pack::{
-    FaceModel, Factors, Follower, LookNumber, MAX_BYTES, MAX_MODES, NamedAttribute, TextureModel,
+    DependentNumbers, FaceModel, Factors, LookNumber, MAX_BYTES, MAX_MODES, NamedAttribute,
+    TextureModel,
 };
 pub use person::PersonRecord;
 pub use rating::{Agreement, AttributeRatings, RatingError, Ratings};

@@ -234,6 +234,9 @@ mod tests {
         let middle = (SIDE / 2 * SIDE + SIDE / 2) as usize;
         let gap = shape[3 * (count + middle) + 1] - shape[3 * middle + 1];
         assert!(gap > 0.0, "{gap}");
-        assert!(Lips::find(&Segments::default(), &triangles, &mean).is_none());
+        assert!(
+            Lips::find(&Segments::default(), &triangles, &mean).is_none(),
+            "a mesh without lip segments has no lips"
+        );
     }
 }

@@ -454,7 +454,13 @@ mod tests {
         let mut other = vec![0.0; 9];
         untangle.straighten(&mut other);
         assert_eq!(other, [0.0; 9]);
-        assert!(OrderConstraints::find(&[], &[]).is_none());
-        assert!(OrderConstraints::find(&reference, &[[0, 1, 4 * SIDE * SIDE]]).is_none());
+        assert!(
+            OrderConstraints::find(&[], &[]).is_none(),
+            "an empty mesh has no order constraints"
+        );
+        assert!(
+            OrderConstraints::find(&reference, &[[0, 1, 4 * SIDE * SIDE]]).is_none(),
+            "a triangle beyond the mesh has no order constraints"
+        );
     }
 }

@@ -32,11 +32,11 @@ pub struct FaceModel {
     /// Shapes: x, y and z of each vertex of the skin, metres, in the frame of the head.
     pub shape: FaceSpace,
     /// Positions of the head's cage, millimetres, linear in the coefficients of the shape.
-    pub cage: Follower,
+    pub cage: DependentNumbers,
     /// Values of the inner parts of the head, linear in the coefficients like the cage: centres of
     /// the eyes (metres), rotations that close the lids (radians), height of the chin (metres);
     /// empty if unknown.
-    pub organs: Follower,
+    pub organs: DependentNumbers,
     /// Reference head without self-intersections, as [`Self::shape`]; empty if there is none.
     pub reference: Vec<f64>,
     /// The triangles of the skin, counter-clockwise from outside.
@@ -132,13 +132,13 @@ impl<'n> Difference<'n> {
 
 /// Numbers that are a linear function of coefficients.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Follower {
+pub struct DependentNumbers {
     mean: Vec<f64>,
     /// Effect of each coefficient on each number.
     effects: Vec<Vec<f64>>,
 }
 
-impl Follower {
+impl DependentNumbers {
     /// Fits the linear function to examples by least squares. The coefficients are uncorrelated, so
     /// each has its own effect. `values` belong to `coefficients`.
     #[must_use]

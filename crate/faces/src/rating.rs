@@ -231,7 +231,10 @@ mod tests {
         assert_eq!(labels[6..], [None, None]);
         let known: Vec<f64> = labels.iter().flatten().copied().collect();
         let (mean, deviation) = spread(&known).expect("they differ");
-        assert!(mean.abs() < 1e-12 && (deviation - 0.5).abs() < 1e-12);
+        assert!(
+            mean.abs() < 1e-12 && (deviation - 0.5).abs() < 1e-12,
+            "the ratings are standardised"
+        );
         let mut other = lines.clone();
         for (rater, _, value) in &mut other {
             if *rater == "two" {
@@ -261,7 +264,10 @@ mod tests {
         let labels = rated(&lines).labels(4);
         let mut pairs = labels.iter().zip(&expected);
         assert!(pairs.all(|(a, b)| is_near(*a, *b)), "{labels:?}");
-        assert!(rated(&lines).labels(0).is_empty());
+        assert!(
+            rated(&lines).labels(0).is_empty(),
+            "constant ratings give no labels"
+        );
         let against = [("a", 0, 1.0), ("a", 1, -1.0), ("b", 0, -1.0), ("b", 1, 1.0)];
         assert_eq!(rated(&against).labels(2), [Some(0.0), Some(0.0)]);
     }

@@ -323,10 +323,16 @@ mod tests {
         assert_eq!((space.dimensions(), space.length()), (11, 90));
         for face in &faces {
             let again = space.face(&space.coefficients(face).expect("corresponding"));
-            assert!(distance(&again, face) < 1e-12);
+            assert!(
+                distance(&again, face) < 1e-12,
+                "the example is restored by its coefficients"
+            );
         }
         let errors = space.errors_by_modes(&faces).expect("corresponding");
-        assert!(errors.windows(2).all(|pair| pair[1] <= pair[0] + 1e-12));
+        assert!(
+            errors.windows(2).all(|pair| pair[1] <= pair[0] + 1e-12),
+            "more modes do not increase the error"
+        );
         assert!(errors[0] > 0.01 && errors[11] < 1e-7, "{errors:?}");
     }
 
@@ -354,7 +360,10 @@ mod tests {
             .collect();
         for (i, deviation) in space.deviations().iter().enumerate() {
             let square: f64 = along.iter().map(|c| c[i] * c[i]).sum();
-            assert!(((square / 40.0).sqrt() - deviation).abs() < 1e-12);
+            assert!(
+                ((square / 40.0).sqrt() - deviation).abs() < 1e-12,
+                "the deviation of the mode is that of the examples"
+            );
         }
     }
 

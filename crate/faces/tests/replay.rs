@@ -20,5 +20,5 @@ fn packs_that_fuzzing_found() {
         }
         count += 1;
     }
-    assert!(count > 0);
+    assert!(count > 0, "the corpus has at least one pack");
 }

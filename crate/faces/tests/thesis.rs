@@ -23,9 +23,12 @@ fn features_go_together_as_they_do_in_people() {
     let change = editor.change_with_all(Part::Shape, name, &Region::whole_head());
     face.add(&change.expect("an attribute"), -1.0);
     let of = |name: &str| value(&editor, &face, name);
-    assert!(of("breadth of the alar wings") < -0.1);
-    assert!(of("length of the nose") < -0.1);
-    assert!(of("opening of the eyes") > 0.05);
+    assert!(
+        of("breadth of the alar wings") < -0.1,
+        "the alar wings become narrower"
+    );
+    assert!(of("length of the nose") < -0.1, "the nose becomes shorter");
+    assert!(of("opening of the eyes") > 0.05, "the eyes open wider");
 }
 
 /// A change of one slider leaves the other features close to their values.
@@ -54,7 +57,10 @@ fn features_change_apart() {
         let changed = |change: Result<_, _>| {
             let mut face = editor.average();
             face.add(&change.expect("an attribute"), 1.0);
-            assert!((value(&editor, &face, name) - 1.0).abs() < 1e-6);
+            assert!(
+                (value(&editor, &face, name) - 1.0).abs() < 1e-6,
+                "the attribute changes by 1"
+            );
             others(&face, name)
         };
         let apart = changed(editor.attribute_change(Part::Shape, name, &whole));
@@ -76,7 +82,10 @@ fn a_held_sex_stays_while_the_brows_rise() {
     add(&editor, &mut face, "sex", -0.6);
     let change = editor.change_with_all(Part::Shape, brows, &Region::whole_head());
     face.add(&change.expect("an attribute"), 0.8);
-    assert!((value(&editor, &face, "sex") + 0.6).abs() > 0.05);
+    assert!(
+        (value(&editor, &face, "sex") + 0.6).abs() > 0.05,
+        "the sex changes without a constraint"
+    );
     let held = [("sex", -0.6), (brows, 0.8)].map(|(name, value)| Constraint {
         part: Part::Shape,
         name: name.to_owned(),
@@ -84,8 +93,14 @@ fn a_held_sex_stays_while_the_brows_rise() {
         region: Region::whole_head(),
     });
     editor.constrain(&mut face, &held).expect("they agree");
-    assert!((value(&editor, &face, "sex") + 0.6).abs() < 1e-4);
-    assert!((value(&editor, &face, brows) - 0.8).abs() < 1e-4);
+    assert!(
+        (value(&editor, &face, "sex") + 0.6).abs() < 1e-4,
+        "the constrained sex is unchanged"
+    );
+    assert!(
+        (value(&editor, &face, brows) - 0.8).abs() < 1e-4,
+        "the brows reach their value"
+    );
 }
 
 /// Figure 5.8: the same four values over faces of the database.
@@ -112,6 +127,6 @@ fn four_constraints_hold_over_the_database() {
             let found = value(&editor, &face, name);
             assert!((found - wanted).abs() < 1e-4, "{index} {name}: {found}");
         }
-        assert!(face.shape != before.shape);
+        assert!(face.shape != before.shape, "the edit changes the shape");
     }
 }

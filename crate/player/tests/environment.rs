@@ -117,7 +117,10 @@ fn poses_do_not_depend_on_the_environment() {
             let t = f64::from(i);
             assert_eq!(on.digest(t), off.digest(t), "story {seed} at {t}");
         }
-        assert!(off.music().is_empty() && !on.music().is_empty());
+        assert!(
+            off.music().is_empty() && !on.music().is_empty(),
+            "only the environment has music"
+        );
         let quiet = off.frame(12.0, 1.6).lighting;
         assert_eq!(quiet, off.frame(0.0, 1.6).lighting);
     }
@@ -279,7 +282,10 @@ fn a_flood_of_feelings_is_filmed_like_any_other() {
         shots += usize::from(last.replace(now) != Some(now));
     }
     assert!(shots < 60, "{shots}");
-    assert!(player.frame(100.0, 1.6).camera.fov_y_rad.is_finite());
+    assert!(
+        player.frame(100.0, 1.6).camera.fov_y_rad.is_finite(),
+        "the field of view of the camera is finite"
+    );
 }
 
 #[test]

@@ -72,9 +72,15 @@ fn bone_lies_under_the_skin_and_goes_with_the_jaw() {
     let both = rest.iter().zip(&opened);
     let drops = both.map(|(a, b)| a.from_in_world[1] - b.from_in_world[1]);
     // The chin drops by a centimetre and more; the forehead stays.
-    assert!(drops.fold(0.0, f32::max) > 0.01);
+    assert!(
+        drops.fold(0.0, f32::max) > 0.01,
+        "the chin moves with the jaw"
+    );
     let highest = |all: &[Line]| all.iter().map(|l| l.from_in_world[1]).fold(0.0, f32::max);
-    assert!((highest(&rest) - highest(&opened)).abs() < 1e-3);
+    assert!(
+        (highest(&rest) - highest(&opened)).abs() < 1e-3,
+        "the top of the skull stays in place"
+    );
 }
 
 #[test]
@@ -100,10 +106,13 @@ fn a_muscle_that_contracts_is_shorter_and_brighter() {
         if fibre.muscle.name() == "ZygomaticusMajorLeft" {
             seen += 1;
             assert!(lengths[1] < 0.9 * lengths[0], "{lengths:?}");
-            assert!(smile[own.start].color[0] > rest[own.start].color[0]);
+            assert!(
+                smile[own.start].color[0] > rest[own.start].color[0],
+                "a contracted muscle is brighter"
+            );
         } else if fibre.muscle.name() == "FrontalisMedialRight" {
             assert!((lengths[1] / lengths[0] - 1.0).abs() < 0.02, "{lengths:?}");
         }
     }
-    assert!(seen > 0);
+    assert!(seen > 0, "at least one muscle is compared");
 }

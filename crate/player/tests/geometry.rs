@@ -104,10 +104,19 @@ fn live_clauses_switch_it_for_good() {
     player.set_open_ended(true);
     let fragment = "<body-configure-geometry time='0' areTexturesActive='false'/>";
     assert_eq!(player.perform(1, fragment, 3.0).diagnostics, []);
-    assert!(shown(&mut player, 2.9).textures);
-    assert!(!shown(&mut player, 3.0).textures);
+    assert!(
+        shown(&mut player, 2.9).textures,
+        "textures are visible before the clause"
+    );
+    assert!(
+        !shown(&mut player, 3.0).textures,
+        "textures are hidden after the clause"
+    );
     let later = shown(&mut player, 7.0);
-    assert!(!later.textures && later.frames);
+    assert!(
+        !later.textures && later.frames,
+        "frames are visible after the second clause"
+    );
     // However many come, the first ones keep their effect.
     for i in 0..300 {
         let now_secs = 10.0 + f64::from(i);
@@ -116,8 +125,14 @@ fn live_clauses_switch_it_for_good() {
         assert_eq!(player.perform(1, &fragment, now_secs).diagnostics, []);
     }
     let last = shown(&mut player, 400.0);
-    assert!(!last.textures && !last.frames);
-    assert!(shown(&mut player, 308.5).frames);
+    assert!(
+        !last.textures && !last.frames,
+        "frames are hidden after the last clause"
+    );
+    assert!(
+        shown(&mut player, 308.5).frames,
+        "the clause of the later fragment takes effect"
+    );
 }
 
 #[test]
@@ -128,7 +143,7 @@ fn handles_tell_where_gestures_lead_the_hands() {
     );
     let resting = &player.frame(0.5, 1.6).handles;
     assert!(resting.is_empty(), "{resting:?}");
-    let wanted = player.manipulators(3.5)[1].target_in_world;
+    let wanted = player.hand_targets(3.5)[1].target_in_world;
     let handles = &player.frame(3.5, 1.6).handles;
     let told: Vec<_> = handles.iter().map(|h| h.translation).collect();
     assert_eq!(told, [wanted]);
@@ -140,9 +155,15 @@ fn a_leg_has_a_handle_while_its_manipulator_leads_it() {
         "<body-non-deterministic-frame-interpolation time='1' manipulator='leftLeg' \
          timePeriod='1' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
     );
-    assert!(player.frame(0.5, 1.6).handles.is_empty());
+    assert!(
+        player.frame(0.5, 1.6).handles.is_empty(),
+        "no handle is visible without its manipulator"
+    );
     let wanted = player.units().world_point([7.5, 20.0, -10.0]);
     let handles = &player.frame(4.0, 1.6).handles;
     assert_eq!(handles.len(), 1);
-    assert!(handles[0].translation.distance(wanted) < 1e-6);
+    assert!(
+        handles[0].translation.distance(wanted) < 1e-6,
+        "the handle is at the position of its manipulator"
+    );
 }

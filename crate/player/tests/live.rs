@@ -66,7 +66,10 @@ fn a_waiting_figure_speaks_a_baked_line_and_tells_of_it() {
     let performed = player.perform(1, LINE, 5.0);
     assert!(codes(&performed).is_empty(), "{:?}", performed.diagnostics);
     assert_eq!(performed.clauses[0].start_secs, 5.0);
-    assert!(!performed.utterances[0].timed.utterance.audio.is_empty());
+    assert!(
+        !performed.utterances[0].timed.utterance.audio.is_empty(),
+        "the baked line has audio"
+    );
     let events = play(&mut player, 5.0, 8.0);
     assert_eq!(
         outline(&events),
@@ -96,8 +99,14 @@ fn a_waiting_figure_speaks_a_baked_line_and_tells_of_it() {
     let jaw = |player: &mut Player, t| player.frame(t, 1.6).world_from_joint[Bone::Chin.index()];
     let (closed, open) = (jaw(&mut player, 4.9), jaw(&mut player, 5.35));
     let turn = closed.matrix3.inverse() * open.matrix3;
-    assert!((turn.col(0).x - 1.0).abs() > 1e-4);
-    assert!(player.speech_at(5.4).is_some() && player.speech_at(7.0).is_none());
+    assert!(
+        (turn.col(0).x - 1.0).abs() > 1e-4,
+        "the figure turns during the line"
+    );
+    assert!(
+        player.speech_at(5.4).is_some() && player.speech_at(7.0).is_none(),
+        "the line is spoken in its interval only"
+    );
 }
 
 #[test]
@@ -110,7 +119,10 @@ fn a_line_that_was_not_baked_is_captioned_with_a_warning() {
     );
     assert_eq!(codes(&performed), ["player::not-baked"]);
     let said = &performed.utterances[0];
-    assert!(said.estimated && said.timed.utterance.audio.is_empty());
+    assert!(
+        said.estimated && said.timed.utterance.audio.is_empty(),
+        "the line without a bake is estimated and silent"
+    );
     let words = outline(&play(&mut player, 1.0, 4.0));
     assert!(words.contains(&"word baked".to_owned()), "{words:?}");
 }
@@ -138,7 +150,10 @@ fn a_hand_is_raised_in_time_and_without_a_jump() {
     let start = stroke.map_or(0.0, |c| c.start_secs);
     // It waits for the arm, and the voice with it.
     assert!((5.35..=5.9).contains(&start), "{start}");
-    assert!(performed.clauses.iter().all(|c| c.start_secs == start));
+    assert!(
+        performed.clauses.iter().all(|c| c.start_secs == start),
+        "all clauses start simultaneously"
+    );
     let there = right_hand(&mut player, start);
     assert!(there.y > rest.y + 0.3, "{rest} {there}");
     // A hand never moves faster than in a scripted gesture: 5 m/s.
@@ -200,7 +215,10 @@ fn times_may_name_what_has_passed_and_what_is_to_come() {
     assert_eq!(performed.clauses[0].start_secs, t2 + 5.0);
     let performed = player.perform(2, "<event time='nobody'>y</event>", t2 + 5.0);
     assert_eq!(codes(&performed), ["eml::unknown-name"]);
-    assert!(performed.clauses.is_empty());
+    assert!(
+        performed.clauses.is_empty(),
+        "a past time is rejected without clauses"
+    );
 }
 
 #[test]
@@ -271,10 +289,16 @@ fn a_flood_is_refused_and_another_mind_is_heard() {
         refused += usize::from(codes(&performed) == ["live::busy"]);
     }
     assert!(refused >= 2000 - limits::BURST as usize - 3, "{refused}");
-    assert!(!player.has_room(1, 1.2) && player.has_room(2, 1.2));
-    assert!(codes(&player.perform(2, "<null time='0'/>", 1.2)).is_empty());
+    assert!(
+        !player.has_room(1, 1.2) && player.has_room(2, 1.2),
+        "only the flooding mind is blocked"
+    );
+    assert!(
+        codes(&player.perform(2, "<null time='0'/>", 1.2)).is_empty(),
+        "the other mind's fragment is accepted"
+    );
     // In time, the first one is heard again.
-    assert!(player.has_room(1, 3.0));
+    assert!(player.has_room(1, 3.0), "the mind is accepted again later");
 }
 
 #[test]
@@ -290,18 +314,27 @@ fn clauses_are_bounded_and_finished_ones_are_forgotten() {
         let performed = player.perform(1, &long, now);
         (codes(&performed) == ["live::full"]).then_some(())
     });
-    assert!(full.is_some());
+    assert!(full.is_some(), "the number of clauses reaches its limit");
     // A week of a talkative mind.
     for hour in 1..=168 {
         now = f64::from(hour) * 3600.0;
         let performed = player.perform(1, LINE, now);
         assert!(codes(&performed).is_empty(), "{performed:?}");
         player.advance(now + 2.0);
-        assert!(player.drain_events().len() > 10);
+        assert!(
+            player.drain_events().len() > 10,
+            "more than 10 events are reported"
+        );
         // The one before is forgotten, this one is not.
         let index = performed.first_utterance;
-        assert!(player.utterance(index).is_some());
-        assert!(index == 0 || player.utterance(index - 1).is_none());
+        assert!(
+            player.utterance(index).is_some(),
+            "the current utterance is stored"
+        );
+        assert!(
+            index == 0 || player.utterance(index - 1).is_none(),
+            "the finished utterance is removed"
+        );
     }
     let too_long = format!(
         "<voice-text time='0'>{}</voice-text>",

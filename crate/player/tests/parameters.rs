@@ -68,7 +68,10 @@ fn missing_and_broken_ones_are_told() {
     let told = player.provide_animations(&[("faces/blink.json", Some(&broken))]);
     assert_eq!(told[0].code, "player::bad-animation");
     assert!(told[0].message.contains("Eyelash"), "{}", told[0].message);
-    assert!(told[0].span.end > told[0].span.start);
+    assert!(
+        told[0].span.end > told[0].span.start,
+        "the diagnostic has a non-empty span"
+    );
 }
 
 #[test]

@@ -78,7 +78,10 @@ fn the_spoken_word_is_the_one_whose_time_it_is() {
     let player = load("white-rabbit").player;
     for (index, utterance) in player.utterances().iter().enumerate() {
         let timed = &utterance.timed;
-        assert!(!utterance.estimated && !timed.utterance.audio.is_empty());
+        assert!(
+            !utterance.estimated && !timed.utterance.audio.is_empty(),
+            "the baked utterance has audio"
+        );
         for (w, word) in timed.utterance.words.iter().enumerate() {
             let middle = timed.story_secs(0.5 * (word.start_secs + word.end_secs));
             let now = player.speech_at(middle).expect("speech");
@@ -98,7 +101,10 @@ fn cues_come_in_order_and_each_exactly_once() {
         heard += player.drain_events().len();
     }
     let all = player.cues();
-    assert!(all.windows(2).all(|w| w[0].time_secs <= w[1].time_secs));
+    assert!(
+        all.windows(2).all(|w| w[0].time_secs <= w[1].time_secs),
+        "the cues are in chronological order"
+    );
     assert_eq!(heard, all.len());
     let words = all
         .iter()
@@ -133,7 +139,8 @@ fn a_story_without_voice_still_moves_its_lips() {
         loaded
             .diagnostics
             .iter()
-            .any(|d| d.code == "player::no-bundle")
+            .any(|d| d.code == "player::no-bundle"),
+        "the diagnostics report the missing bundle"
     );
     let jaw = Bone::Chin.index();
     let closed = loaded.player.frame(0.0, 1.6).world_from_joint[jaw];
@@ -146,7 +153,7 @@ fn a_story_without_voice_still_moves_its_lips() {
         let turn = closed.matrix3.inverse() * now.matrix3;
         (turn.col(0).x - 1.0).abs() > 1e-4
     });
-    assert!(moved);
+    assert!(moved, "the lips move without a voice");
 }
 
 #[test]
@@ -161,5 +168,8 @@ fn a_figure_that_a_script_moves_goes_and_wants_the_animations_of_its_players() {
     let mut player = perform(eml, None, figure(), Options::default()).player;
     assert_eq!(player.needed_animations(), ["sit"]);
     let [from, to] = [0.0, 1.5].map(|t| player.frame(t, 1.6).world_from_joint[Bone::Skull.index()]);
-    assert!(from.translation.distance(to.translation) > 0.1);
+    assert!(
+        from.translation.distance(to.translation) > 0.1,
+        "the script moves the figure by more than 10 cm"
+    );
 }

@@ -111,9 +111,15 @@ fn each_operation_does_what_it_is_called() {
         ]
     );
     assert_eq!(player.timeline().marks.get("after"), Some(&1.999));
-    assert!(player.utterances().iter().all(|u| !u.estimated));
+    assert!(
+        player.utterances().iter().all(|u| !u.estimated),
+        "every utterance is baked"
+    );
     // The story lasts until asynchronous clauses are over.
-    assert!((player.duration_secs() - 2.999).abs() < 1e-9);
+    assert!(
+        (player.duration_secs() - 2.999).abs() < 1e-9,
+        "the duration of the story"
+    );
 }
 
 #[test]
@@ -221,5 +227,8 @@ fn what_was_made_ready_is_heard_when_a_fragment_says_it() {
     );
     assert_eq!(unknown.diagnostics[0].code, "player::not-baked");
     let said = &unknown.utterances[0];
-    assert!(said.timed.utterance.audio.is_empty() && said.estimated);
+    assert!(
+        said.timed.utterance.audio.is_empty() && said.estimated,
+        "the prepared line is estimated and silent"
+    );
 }

@@ -153,9 +153,12 @@ fn quick_keys_that_cannot_be_met_snap_no_joint() {
 fn nothing_would_make_a_viewer_wince(figure: &str) {
     let stories = stories();
     assert!(stories.len() >= 8, "{stories:?}");
-    assert!(stories.contains(&"virtual-poets/jabberwocky".to_owned()));
+    assert!(
+        stories.contains(&"virtual-poets/jabberwocky".to_owned()),
+        "the example stories include jabberwocky"
+    );
     let told = share(&stories, turn(figure), FIGURES.len());
-    assert!(!told.is_empty());
+    assert!(!told.is_empty(), "the sweep reports its checks");
     let figure = read(figure);
     let mut wrong = Vec::new();
     for story in &told {

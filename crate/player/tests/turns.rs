@@ -80,7 +80,10 @@ fn no_two_utterances_of_fragments_overlap() {
             let told: Vec<f64> = performed.clauses.iter().map(|c| c.start_secs).collect();
             for said in &performed.utterances {
                 // The answer tells the time at which it is said.
-                assert!(told.contains(&said.timed.start_secs));
+                assert!(
+                    told.contains(&said.timed.start_secs),
+                    "the utterance starts at a reported time"
+                );
                 spoken.push((said.timed.start_secs, said.timed.end_secs()));
             }
         }
@@ -97,12 +100,24 @@ fn what_waits_begins_a_breath_later_and_stays_together() {
     let first = player.perform(1, LINE, 5.0);
     let second = player.perform(1, &format!("{LINE}<event time='v+0.5'>x</event>"), 5.3);
     let [first, second] = [first, second].map(|p| (p.utterances[0].timed.clone(), p.clauses));
-    assert!((second.0.start_secs - first.0.end_secs() - 0.15).abs() < 1e-6);
+    assert!(
+        (second.0.start_secs - first.0.end_secs() - 0.15).abs() < 1e-6,
+        "the second utterance starts 0.15 s after the first"
+    );
     let event = second.1.iter().find(|c| c.clause.element == "event");
-    assert!((event.unwrap().start_secs - second.0.start_secs - 0.5).abs() < 1e-9);
+    assert!(
+        (event.unwrap().start_secs - second.0.start_secs - 0.5).abs() < 1e-9,
+        "the delayed event keeps its offset to the speech"
+    );
     // What says nothing does not wait, nor does what comes into a silence.
-    assert!(player.perform(1, "<null time='0'/>", 5.6).clauses[0].start_secs < 5.8);
-    assert!(player.perform(1, LINE, 9.0).clauses[0].start_secs < 9.2);
+    assert!(
+        player.perform(1, "<null time='0'/>", 5.6).clauses[0].start_secs < 5.8,
+        "the fragment without speech is not delayed"
+    );
+    assert!(
+        player.perform(1, LINE, 9.0).clauses[0].start_secs < 9.2,
+        "the fragment after the speech is not delayed"
+    );
 }
 
 #[test]
@@ -116,7 +131,7 @@ fn what_waits_and_what_is_cut_is_sought_as_it_is_played() {
                 player.perform(1, &format!("{LINE}{HAND}"), t);
             }
             if (t - 5.5).abs() < 0.01 {
-                assert!(player.interrupt(t).is_some());
+                assert!(player.interrupt(t).is_some(), "the speech is interrupted");
             }
             if ask_between {
                 let _ = player.digest(t + 0.3);
@@ -177,7 +192,10 @@ fn what_is_interrupted_ends_and_is_not_heard_of_again() {
         let before = play(&mut player, 3.9, at);
         let end = player.interrupt(at).unwrap_or(at);
         assert!((at..=at + 0.2).contains(&end), "{at} {end}");
-        assert!((0..200).all(|i| player.speech_at(end + f64::from(i) * 0.02).is_none()));
+        assert!(
+            (0..200).all(|i| player.speech_at(end + f64::from(i) * 0.02).is_none()),
+            "no speech is active after the interruption"
+        );
         let after = play(&mut player, at, at + 10.0);
         // The ends come at once, and nothing else.
         for event in &after {
@@ -201,7 +219,10 @@ fn what_is_interrupted_ends_and_is_not_heard_of_again() {
         assert_eq!(player.interrupt(at + 9.0), None);
         // Another one may follow, as if nothing had been.
         let next = player.perform(1, LINE, at + 10.0);
-        assert!(next.clauses[0].start_secs < at + 10.3);
+        assert!(
+            next.clauses[0].start_secs < at + 10.3,
+            "the following clauses are moved forwards"
+        );
     }
 }
 
@@ -211,7 +232,10 @@ fn a_fragment_may_follow_an_interruption_at_once() {
     player.perform(1, LINE, 5.0);
     player.advance(5.4);
     let answer = player.perform(1, " <interrupt/>\n", 5.4);
-    assert!(answer.interrupts && answer.diagnostics.is_empty() && answer.clauses.is_empty());
+    assert!(
+        answer.interrupts && answer.diagnostics.is_empty() && answer.clauses.is_empty(),
+        "the answer interrupts without clauses or diagnostics"
+    );
     let next = player.perform(1, LINE, 5.4);
     assert_eq!(next.clauses[0].start_secs, 5.4);
     assert_eq!(
@@ -229,7 +253,10 @@ fn interrupting_nothing_and_the_story_changes_nothing() {
     assert_eq!(player.interrupt(f64::NAN), None);
     let after: Vec<u64> = (0..10).map(|i| player.digest(f64::from(i) * 0.3)).collect();
     assert_eq!(before, after);
-    assert!(player.speech_at(1.5).is_some());
+    assert!(
+        player.speech_at(1.5).is_some(),
+        "the story continues to speak"
+    );
 }
 
 /// The largest difference between two faces, lids apart: a blink is as quick as it is.

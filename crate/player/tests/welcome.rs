@@ -147,7 +147,10 @@ fn it_breathes_shifts_its_weight_blinks_and_looks() {
     assert!((0.005..0.15).contains(&head), "{head} m");
     assert!(closed > 0.3, "lids: {closed} rad");
     // The same wait is the same picture, whatever came between.
-    assert!(seen(&first) == seen(player.evaluate_idle(0.0, ASPECT)));
+    assert!(
+        seen(&first) == seen(player.evaluate_idle(0.0, ASPECT)),
+        "the first frame equals the idle frame at 0 s"
+    );
 }
 
 #[test]
@@ -233,6 +236,7 @@ fn waiting_for_an_answer_passes_no_cues() {
         player
             .drain_events()
             .iter()
-            .all(|e| format!("{e:?}").contains("1.5"))
+            .all(|e| format!("{e:?}").contains("1.5")),
+        "only cues of the resumed time are reported"
     );
 }

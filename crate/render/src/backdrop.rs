@@ -207,8 +207,14 @@ mod tests {
         let [across, upwards, over] = places(still).map(|r| Vec4::from_array(r).truncate());
         for (x, y) in [(0.0, 0.0), (0.7, -0.3), (-1.0, 1.0)] {
             let ray = (still[0] + still[1] * x + still[2] * y) * 2.5;
-            assert!((ray.dot(across) / ray.dot(over) - x).abs() < 1e-5);
-            assert!((ray.dot(upwards) / ray.dot(over) - y).abs() < 1e-5);
+            assert!(
+                (ray.dot(across) / ray.dot(over) - x).abs() < 1e-5,
+                "the horizontal slope of the ray"
+            );
+            assert!(
+                (ray.dot(upwards) / ray.dot(over) - y).abs() < 1e-5,
+                "the vertical slope of the ray"
+            );
         }
     }
 }

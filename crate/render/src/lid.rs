@@ -155,7 +155,10 @@ mod tests {
     fn the_edge_is_found_and_turns_with_the_lid() {
         let (figure, centre) = lid(&[0.8, 0.3, 0.5]);
         let [upper, rest @ ..] = LidEdge::from_figure(&figure);
-        assert!(rest.iter().all(Option::is_none));
+        assert!(
+            rest.iter().all(Option::is_none),
+            "a figure without a lid joint has no edge"
+        );
         for closed in [0.0, 0.2, 0.4] {
             let turn = DAffine3::from_translation(centre)
                 * DAffine3::from_quat(DQuat::from_rotation_x(closed))
@@ -172,7 +175,10 @@ mod tests {
             };
             let edge = 0.3 - closed;
             assert!(beyond(edge).abs() < 1e-5, "{closed}: {}", beyond(edge));
-            assert!(beyond(edge + 0.1) > 1e-3 && beyond(edge - 0.1) < -1e-3);
+            assert!(
+                beyond(edge + 0.1) > 1e-3 && beyond(edge - 0.1) < -1e-3,
+                "the edge separates both sides"
+            );
         }
     }
 
@@ -180,7 +186,10 @@ mod tests {
     fn a_figure_without_lids_has_no_edges() {
         let (mut figure, _) = lid(&[0.3]);
         figure.meshes.clear();
-        assert!(LidEdge::from_figure(&figure).iter().all(Option::is_none));
+        assert!(
+            LidEdge::from_figure(&figure).iter().all(Option::is_none),
+            "a figure without lids has no edges"
+        );
         assert_eq!(LidEdge::plane(None, &[], &[]), [0.0; 4]);
     }
 }

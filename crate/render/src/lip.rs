@@ -51,7 +51,10 @@ mod tests {
             ..NodeState::default()
         };
         let nodes = [0.0, -0.002, 0.001, -0.003].map(at);
-        assert!((lips.apart_mm(&nodes) - 8.0).abs() < 1e-4);
+        assert!(
+            (lips.apart_mm(&nodes) - 8.0).abs() < 1e-4,
+            "the distance between the lips in millimetres"
+        );
         assert_eq!(lips.apart_mm(&[0.0, 0.001, 0.0, 0.0].map(at)), 0.0);
         assert_eq!(lips.apart_mm(&[]), 0.0);
         assert_eq!(Lips::default().apart_mm(&nodes), OPEN_MM);

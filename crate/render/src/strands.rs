@@ -336,7 +336,10 @@ mod tests {
                 .map(|t| u32::from(t[0]))
                 .sum()
         };
-        assert!(row(500) * 3 < row(200));
+        assert!(
+            row(500) * 3 < row(200),
+            "the tips have fewer strips than the roots"
+        );
     }
 
     #[test]

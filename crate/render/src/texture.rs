@@ -237,6 +237,9 @@ mod tests {
         for (w, h, n) in [(0, 4, 0), (8193, 1, 4 * 8193), (2, 2, 15), (2, 2, 17)] {
             assert!(check(w, h, &vec![0; n]).is_err(), "{w} {h} {n}");
         }
-        assert!(check(2, 3, &[0; 24]).is_ok());
+        assert!(
+            check(2, 3, &[0; 24]).is_ok(),
+            "an image of the right size is accepted"
+        );
     }
 }

@@ -43,7 +43,10 @@ fn every_quality_draws_the_figure_on_a_stage() {
         device.set_figure(&figure).expect("a sound figure");
         let full = draw(&mut device, &frame);
         let info = device.info().clone();
-        assert!(full.chunks_exact(4).all(|p| p[3] == 255));
+        assert!(
+            full.chunks_exact(4).all(|p| p[3] == 255),
+            "the full image is opaque"
+        );
         let covered = differing(&empty, &full, 12).len();
         let all = (SIZE.0 * SIZE.1) as usize;
         assert!(
@@ -109,7 +112,8 @@ fn another_quality_comes_when_it_is_whole() {
                         after.clone()
                     } else {
                         before.clone()
-                    }
+                    },
+                "the image changes only with the complete quality"
             );
             assert!(pictures < 60, "{quality:?}");
         }
@@ -127,7 +131,7 @@ fn two_devices_draw_the_same_bytes() {
         device.set_figure(&figure).expect("a sound figure");
         draw(&mut device, &frame)
     };
-    assert!(once() == once());
+    assert!(once() == once(), "two devices render identical bytes");
 }
 
 /// A pose that bends the left arm forward and turns the whole figure a little.
@@ -180,7 +184,10 @@ fn blending_on_the_device_agrees_with_blending_here() {
     let expected = project(&frame.camera, place(upper) * 0.3 + place(fore) * 0.7);
     // The two joints alone would take it to places well apart.
     let alone_at = [upper, fore].map(|j| project(&frame.camera, place(j)));
-    assert!(ops::hypot(alone_at[0].0 - alone_at[1].0, alone_at[0].1 - alone_at[1].1) > 5.0);
+    assert!(
+        ops::hypot(alone_at[0].0 - alone_at[1].0, alone_at[0].1 - alone_at[1].1) > 5.0,
+        "the vertex moves by more than 5 pixels"
+    );
     let green = |i: &usize| with[4 * i + 1] > with[4 * i].saturating_add(30);
     let seen: Vec<usize> = differing(&empty, &with, 12)
         .into_iter()
@@ -210,8 +217,11 @@ fn a_morph_moves_the_chin_and_comes_back() {
     let open = draw(&mut device, &frame);
     frame.morph_weights[0] = 0.0;
     let back = draw(&mut device, &frame);
-    assert!(differing(&rest, &open, 12).len() > 50);
-    assert!(rest == back);
+    assert!(
+        differing(&rest, &open, 12).len() > 50,
+        "the open jaw changes more than 50 pixels"
+    );
+    assert!(rest == back, "the closed jaw restores the image");
     frame.morph_weights[0] = f32::NAN;
     assert!(
         rest == draw(&mut device, &frame),
@@ -245,13 +255,16 @@ fn what_cannot_be_drawn_is_an_error() {
     let mut device = headless(Quality::Low);
     let mut crowded = figure.clone();
     crowded.inverse_bind.resize(257, crowded.inverse_bind[0]);
-    assert!(matches!(
-        device.set_figure(&crowded),
-        Err(RenderError::TooManyJoints {
-            found: 257,
-            limit: 256
-        })
-    ));
+    assert!(
+        matches!(
+            device.set_figure(&crowded),
+            Err(RenderError::TooManyJoints {
+                found: 257,
+                limit: 256
+            })
+        ),
+        "a mesh with 257 joints is rejected"
+    );
     let breaks: [fn(&mut Figure); 4] = [
         |f| f.meshes[0].indices[0] = 1_000_000,
         |f| f.meshes[0].uvs.truncate(3),
@@ -261,20 +274,26 @@ fn what_cannot_be_drawn_is_an_error() {
     for spoil in breaks {
         let mut bad = figure.clone();
         spoil(&mut bad);
-        assert!(matches!(
-            device.set_figure(&bad),
-            Err(RenderError::BadMesh { .. })
-        ));
+        assert!(
+            matches!(device.set_figure(&bad), Err(RenderError::BadMesh { .. })),
+            "an invalid mesh is rejected"
+        );
     }
     let frame = medium(&figure, &Pose::zero());
-    assert!(matches!(
-        device.render_rgba(&frame, 0, 10),
-        Err(RenderError::BadSize { .. })
-    ));
-    assert!(matches!(
-        device.render_rgba(&frame, 1_000_000, 10),
-        Err(RenderError::BadSize { .. })
-    ));
+    assert!(
+        matches!(
+            device.render_rgba(&frame, 0, 10),
+            Err(RenderError::BadSize { .. })
+        ),
+        "a width of 0 is rejected"
+    );
+    assert!(
+        matches!(
+            device.render_rgba(&frame, 1_000_000, 10),
+            Err(RenderError::BadSize { .. })
+        ),
+        "an excessive width is rejected"
+    );
 }
 
 #[test]

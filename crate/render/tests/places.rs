@@ -104,7 +104,10 @@ fn what_moves_in_a_place_does_not_flash() {
 #[test]
 fn a_flash_is_seen_as_one() {
     let blinking: Vec<f64> = (0..50).map(|i| 0.3 + 0.2 * f64::from(i / 3 % 2)).collect();
-    assert!(turns(&blinking).len() > 12);
+    assert!(
+        turns(&blinking).len() > 12,
+        "the blinking light has more than 12 turns"
+    );
     let slow: Vec<f64> = (0..50).map(|i| 0.3 + 0.01 * f64::from(i)).collect();
     assert_eq!(turns(&slow).len(), 1);
 }

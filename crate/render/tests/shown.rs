@@ -83,7 +83,10 @@ fn without_the_body_an_empty_stage_is_left_and_bones_stand_on_it() {
     let (mut device, frame) = stage(Quality::High);
     let empty = draw(&mut device, &frame, NOTHING);
     let mut lonely = headless(Quality::High);
-    assert!(empty == draw(&mut lonely, &frame, Visibility::default()));
+    assert!(
+        empty == draw(&mut lonely, &frame, Visibility::default()),
+        "an empty stage renders without the body"
+    );
     let bones = Visibility {
         bones: true,
         ..NOTHING
@@ -152,7 +155,10 @@ fn handles_are_drawn_where_they_are() {
         seen[2] > seen[0].saturating_add(60) && behind[0] > seen[0].saturating_add(40),
         "{seen:?}, {behind:?}"
     );
-    assert!(differing(&plain, &with, 8) < plain.len() / 4 / 20);
+    assert!(
+        differing(&plain, &with, 8) < plain.len() / 4 / 20,
+        "the handles cover less than 5 % of the image"
+    );
 }
 
 #[test]

@@ -237,15 +237,21 @@ fn what_is_no_picture_is_an_error_and_changes_nothing() {
         (9000, 1, 36_000),
         (u32::MAX, u32::MAX, 4),
     ] {
-        assert!(matches!(
-            device.set_image(0, w, h, &vec![0; bytes]),
-            Err(RenderError::BadImage { .. })
-        ));
+        assert!(
+            matches!(
+                device.set_image(0, w, h, &vec![0; bytes]),
+                Err(RenderError::BadImage { .. })
+            ),
+            "an invalid image is rejected"
+        );
     }
     device
         .set_image(77, 1, 1, &BLUE)
         .expect("one that nothing shows is let go");
-    assert!(red == draw(&mut device, &frame));
+    assert!(
+        red == draw(&mut device, &frame),
+        "the rejected image leaves the rendering unchanged"
+    );
 }
 
 #[test]

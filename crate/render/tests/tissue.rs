@@ -94,8 +94,11 @@ fn the_stream_tells_what_plain_sums_do() {
     let (mesh, states) = (&figure.meshes[0], states());
     let mut nodes = Nodes::from_meshes(figure.meshes.iter());
     let mut bound = BoundMesh::new(mesh, 100).expect("bound");
-    assert!(bound.current.iter().all(|v| *v == TissueVertex::REST));
-    assert!(nodes.update(&states));
+    assert!(
+        bound.current.iter().all(|v| *v == TissueVertex::REST),
+        "an initial tissue is at rest"
+    );
+    assert!(nodes.update(&states), "the first update changes the tissue");
     bound.apply(&nodes, 0);
     assert!(!nodes.update(&states), "nothing has changed");
     assert_eq!(bound.first_vertex, 100);
@@ -150,7 +153,7 @@ fn a_level_moves_the_vertices_that_it_draws() {
     mesh.coarser = vec![mesh.indices[3..9].to_vec(), mesh.indices[..3].to_vec()];
     let mesh = &figure.meshes[0];
     let mut nodes = Nodes::from_meshes(figure.meshes.iter());
-    assert!(nodes.update(&states()));
+    assert!(nodes.update(&states()), "the update changes the tissue");
     let applied = |level| {
         let mut bound = BoundMesh::new(mesh, 0).expect("bound");
         bound.apply(&nodes, level);
@@ -214,7 +217,10 @@ fn bound_vertices_move_with_their_nodes_and_not_with_the_chin() {
     let mut device = headless(Quality::Medium);
     device.set_figure(&figure).expect("a sound figure");
     let free = draw(&mut device, &closed);
-    assert!(differing(&free, &draw(&mut device, &frame), 12) > 100);
+    assert!(
+        differing(&free, &draw(&mut device, &frame), 12) > 100,
+        "the bound vertices change the image"
+    );
     bind_to_one(&mut figure.meshes[0]);
     device.set_figure(&figure).expect("a sound figure");
     let rest = draw(&mut device, &closed);
@@ -225,7 +231,10 @@ fn bound_vertices_move_with_their_nodes_and_not_with_the_chin() {
         ..NodeState::default()
     }];
     let moved = draw(&mut device, &frame);
-    assert!(differing(&rest, &moved, 12) > 100);
+    assert!(
+        differing(&rest, &moved, 12) > 100,
+        "the moved nodes change the image"
+    );
     frame.tissue.clear();
     assert!(rest == draw(&mut device, &frame), "back at rest");
     // By its edges alone it moves as well.
@@ -235,7 +244,10 @@ fn bound_vertices_move_with_their_nodes_and_not_with_the_chin() {
         displacement: [0.04, 0.0, 0.0],
         ..NodeState::default()
     }];
-    assert!(differing(&edges, &draw(&mut device, &frame), 12) > 100);
+    assert!(
+        differing(&edges, &draw(&mut device, &frame), 12) > 100,
+        "the edges change the image"
+    );
 }
 
 #[test]
@@ -253,10 +265,10 @@ fn a_broken_binding_is_refused() {
     for change in changes {
         let mut broken = figure.clone();
         change(broken.meshes[0].binding.as_mut().expect("bound"));
-        assert!(matches!(
-            device.set_figure(&broken),
-            Err(RenderError::BadMesh { .. })
-        ));
+        assert!(
+            matches!(device.set_figure(&broken), Err(RenderError::BadMesh { .. })),
+            "a broken binding is rejected"
+        );
     }
 }
 
@@ -368,7 +380,10 @@ fn furrows_are_darker_and_redder() {
         middle(&draw(&mut device, &frame))
     };
     let (deep, level, high) = (at(50), at(128), at(200));
-    assert!(level.iter().zip(high).all(|(a, b)| (a - b).abs() < 1.0));
+    assert!(
+        level.iter().zip(high).all(|(a, b)| (a - b).abs() < 1.0),
+        "the level surface keeps its colour"
+    );
     assert!((0..3).all(|c| deep[c] < level[c]), "{deep:?} {level:?}");
     assert!(
         deep[0] / deep[1] > level[0] / level[1],
@@ -448,5 +463,8 @@ fn lines_lie_over_the_body_and_faintly_behind_it() {
     );
     assert!(dot > 200.0 && dot < 0.5 * before, "{dot} of {before}");
     // None is left when none is wanted.
-    assert!(without == draw(&mut device, &frame));
+    assert!(
+        without == draw(&mut device, &frame),
+        "the image without lines equals that of the body"
+    );
 }

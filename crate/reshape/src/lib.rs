@@ -24,7 +24,7 @@ use raconteur_base::{DAffine3, DVec3};
 pub use self::accessory::{Accessory, AccessoryKind};
 use self::carry::{CarriedMesh, SkinAnchor};
 pub use self::donor::HairDonor;
-pub use self::look::{Hair, Lenders, Look};
+pub use self::look::{Hair, HairDonors, Look};
 pub use self::scalp::ScalpPaint;
 pub use self::speckle::{Speckle, SpeckleKind};
 pub use self::surface_point::{Chart, SurfacePoint};

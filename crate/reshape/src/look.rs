@@ -61,7 +61,7 @@ pub struct Look {
 }
 
 /// Hair that is lent, by name.
-pub type Lenders = BTreeMap<String, HairDonor>;
+pub type HairDonors = BTreeMap<String, HairDonor>;
 
 impl Reshaper {
     /// Returns the figure with a face and a look.
@@ -72,7 +72,7 @@ impl Reshaper {
         &self,
         face: &NewFace<'_>,
         look: &Look,
-        lenders: &Lenders,
+        lenders: &HairDonors,
     ) -> Result<Figure, ReshapeError> {
         let mut figure = self.with_face(face)?;
         self.change_hair(&mut figure, face, look, lenders)?;
@@ -119,7 +119,7 @@ impl Reshaper {
         figure: &mut Figure,
         face: &NewFace<'_>,
         look: &Look,
-        lenders: &Lenders,
+        lenders: &HairDonors,
     ) -> Result<(), ReshapeError> {
         if look.hair.is_untouched() && look.beard.is_untouched() {
             return Ok(());

@@ -106,7 +106,10 @@ fn what_lies_in_and_on_the_face_goes_along() {
             .position(|j| matches!(j.drive, Drive::Eye(_)));
         f.inverse_bind[i.expect("an eye")].inverse().translation
     };
-    assert!((eye(is) - eye(was) - organs.eye_centres[0] * (0.04 / 1.04)).length() < 1e-6);
+    assert!(
+        (eye(is) - eye(was) - organs.eye_centres[0] * (0.04 / 1.04)).length() < 1e-6,
+        "the eyes move with the face"
+    );
     let nodes = |f: &Figure| f.tissue.clone().expect("tissue").rest;
     for (p, q) in nodes(is).iter().zip(&nodes(was)) {
         let at = wide(*q) - reshaper.origin;
@@ -144,7 +147,10 @@ fn seams_stay_closed() {
     let sewn = pairs.filter_map(|(p, q)| Some((places.get(&p.map(f32::to_bits))?, q)));
     let sewn: Vec<_> = sewn.collect();
     assert!(sewn.len() > 20, "{}", sewn.len());
-    assert!(sewn.iter().all(|(skin, bag)| skin == bag));
+    assert!(
+        sewn.iter().all(|(skin, bag)| skin == bag),
+        "the seam vertices coincide"
+    );
 }
 
 #[test]
@@ -180,12 +186,24 @@ fn strangers_are_named() {
         let error = reshaper.with_face(&face(skin, tone, organs));
         error.expect_err("a stranger").to_string()
     };
-    assert!(told(&skin[3..], &[]).contains("16593 vertices"));
-    assert!(told(&skin, &[1.0; 6]).contains("vertices"));
+    assert!(
+        told(&skin[3..], &[]).contains("16593 vertices"),
+        "the error names the number of vertices"
+    );
+    assert!(
+        told(&skin, &[1.0; 6]).contains("vertices"),
+        "the error names the wrong vertices"
+    );
     let mut broken = skin.clone();
     broken[7] = f64::NAN;
-    assert!(told(&broken, &[]).contains("not finite"));
+    assert!(
+        told(&broken, &[]).contains("not finite"),
+        "the error names the value that is not finite"
+    );
     let other = Reshaper::new(reshaper.figure.clone(), VERTICES - 100);
-    assert!(matches!(other, Err(ReshapeError::OtherHead { .. })));
+    assert!(
+        matches!(other, Err(ReshapeError::OtherHead { .. })),
+        "another head is rejected"
+    );
     assert_eq!(NewOrgans::from_numbers(&[0.0; 8]), None);
 }

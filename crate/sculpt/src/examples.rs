@@ -339,9 +339,9 @@ mod tests {
     fn the_places_of_a_head_are_numbers_and_back() {
         for name in ["sofia", "papous"] {
             let bound = preset(name).expect("a figure").head.bound;
-            let numbers = bound.numbers();
+            let numbers = bound.flat_coordinates_mm();
             let again = ModelHeadShape::from_numbers(&numbers).expect("a head");
-            assert_eq!(again.numbers(), numbers);
+            assert_eq!(again.flat_coordinates_mm(), numbers);
             assert_eq!(ModelHeadShape::from_numbers(&numbers[1..]), None);
         }
     }

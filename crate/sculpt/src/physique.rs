@@ -403,7 +403,10 @@ mod tests {
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(DVec2::from_array);
         let inside = [[0.5, 0.4], [0.9, 0.1]].map(DVec2::from_array);
         let points = [&square[..], &inside, &square[1..3]].concat();
-        assert!((hull_length(&points) - 4.0).abs() < 1e-12);
+        assert!(
+            (hull_length(&points) - 4.0).abs() < 1e-12,
+            "the hull of a square has its perimeter"
+        );
     }
 
     #[test]

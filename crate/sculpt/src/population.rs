@@ -136,7 +136,10 @@ fn approach(heads: &mut [ModelHeadShape], wanted: &Mat<f64>) {
 
 /// Numbers and measures of heads, one row for each.
 fn table(heads: &[ModelHeadShape]) -> (Mat<f64>, Mat<f64>) {
-    let numbers: Vec<Vec<f64>> = heads.iter().map(ModelHeadShape::numbers).collect();
+    let numbers: Vec<Vec<f64>> = heads
+        .iter()
+        .map(ModelHeadShape::flat_coordinates_mm)
+        .collect();
     let own: Vec<[f64; COUNT]> = heads.iter().map(measures).collect();
     let width = numbers.first().map_or(0, Vec::len);
     (
@@ -275,7 +278,9 @@ mod tests {
             let scale: Vec<f64> = (0..3)
                 .map(|k| 1.0 + 0.03 * noise::signed(6, i, k))
                 .collect();
-            let numbers = ModelHeadShape::default().with_fields(&amounts).numbers();
+            let numbers = ModelHeadShape::default()
+                .with_fields(&amounts)
+                .flat_coordinates_mm();
             let scaled: Vec<f64> = numbers
                 .iter()
                 .enumerate()

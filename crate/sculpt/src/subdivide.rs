@@ -288,13 +288,19 @@ mod tests {
         let fine = subdivide(&faces, 8, 4);
         let q = fine.apply(&p);
         assert_eq!(fine.faces.len(), 6 * 4usize.pow(4));
-        assert!(edge_faces(&fine.faces).values().all(|f| f.len() == 2));
+        assert!(
+            edge_faces(&fine.faces).values().all(|f| f.len() == 2),
+            "every edge has two faces"
+        );
         for v in 0..8 {
             // Each step brings a regular vertex at least four times closer to its limit.
             assert!((q[v] - limit[v]).length() < 0.01, "{} {}", q[v], limit[v]);
         }
         for s in &fine.stencils {
-            assert!((s.iter().map(|t| t.1).sum::<f64>() - 1.0).abs() < 1e-12);
+            assert!(
+                (s.iter().map(|t| t.1).sum::<f64>() - 1.0).abs() < 1e-12,
+                "the weights of the limit point add up to 1"
+            );
         }
     }
 
@@ -302,7 +308,7 @@ mod tests {
     fn normals_of_a_cube_point_outwards() {
         let (faces, p) = cube();
         for (n, p) in vertex_normals(&p, &faces).iter().zip(&p) {
-            assert!(n.dot(*p) > 1.0);
+            assert!(n.dot(*p) > 1.0, "the normal points outwards");
         }
     }
 }

@@ -82,9 +82,15 @@ mod tests {
             let p = DVec3::new(0.01, 0.004, -0.007) * f64::from(i) - DVec3::splat(11.3);
             let n = space_noise(4, p);
             let (a, b, name) = cells(5, p);
-            assert!(n.abs() <= 1.0 && a <= b && a < 1.8 && (0.0..=1.0).contains(&name));
+            assert!(
+                n.abs() <= 1.0 && a <= b && a < 1.8 && (0.0..=1.0).contains(&name),
+                "the noise and the pattern stay in their ranges"
+            );
             if i > 0 {
-                assert!((n - last.0).abs() < 0.08 && (a - last.1).abs() < 0.02);
+                assert!(
+                    (n - last.0).abs() < 0.08 && (a - last.1).abs() < 0.02,
+                    "the noise and the pattern are continuous"
+                );
             }
             last = (n, a);
         }

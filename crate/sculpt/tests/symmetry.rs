@@ -132,7 +132,10 @@ fn what_is_asked_of_both_halves_alike_both_do_alike() {
             .map(|&v| wide(&head.positions[v as usize]))
             .collect();
         let vertex_partners = partners(&bound);
-        assert!(rest.len() > 2000 && bound.len() > 8000);
+        assert!(
+            rest.len() > 2000 && bound.len() > 8000,
+            "the head has enough free and bound vertices"
+        );
         assert!(node_partners.iter().all(|own| !own.is_empty()), "{name}");
         assert!(vertex_partners.iter().all(|own| !own.is_empty()), "{name}");
 

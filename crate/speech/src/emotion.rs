@@ -99,7 +99,8 @@ mod tests {
         assert!(
             WORDS
                 .iter()
-                .all(|(_, v)| v.iter().all(|x| x.abs() <= 100.0))
+                .all(|(_, v)| v.iter().all(|x| x.abs() <= 100.0)),
+            "the values of the table are within 100"
         );
     }
 }

@@ -202,7 +202,8 @@ mod tests {
                 assert!((low..=1.0).contains(v), "{:?}", row.name);
             }
             assert!(
-                row.alphas.iter().all(|a| *a > 0.0) && row.thetas_per_s.iter().all(|t| *t > 0.0)
+                row.alphas.iter().all(|a| *a > 0.0) && row.thetas_per_s.iter().all(|t| *t > 0.0),
+                "all alphas and thetas are positive"
             );
         }
     }

@@ -22,9 +22,15 @@ fn saved_inputs_are_refused_or_answer() {
         for utterance in &bundle.utterances {
             for t in [-1.0, 0.0, 0.5, utterance.duration_secs, f64::MAX] {
                 let word = utterance.word_at(t);
-                assert!(word.is_none_or(|i| i < utterance.words.len()));
+                assert!(
+                    word.is_none_or(|i| i < utterance.words.len()),
+                    "the word index refers to a word"
+                );
                 let phone = utterance.phone_at(t);
-                assert!(phone.is_none_or(|i| i < utterance.phones.len()));
+                assert!(
+                    phone.is_none_or(|i| i < utterance.phones.len()),
+                    "the phone index refers to a phone"
+                );
             }
         }
     }

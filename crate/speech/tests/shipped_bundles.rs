@@ -127,11 +127,17 @@ fn mp3_secs(bytes: &[u8]) -> f64 {
     assert_eq!(bytes[3] >> 6, 3, "one channel");
     // Mono: 4 bytes of header and 17 of side information come before it.
     let info = &bytes[21..];
-    assert!(&info[..4] == b"Xing" || &info[..4] == b"Info");
+    assert!(
+        &info[..4] == b"Xing" || &info[..4] == b"Info",
+        "the file has a Xing or Info header"
+    );
     assert_eq!(info[7], 0x0f, "frames, bytes, table and quality are there");
     let frames = u32::from_be_bytes(info[8..12].try_into().unwrap());
     let lame = &info[120..];
-    assert!(&lame[..4] == b"LAME" || &lame[..4] == b"Lavf" || &lame[..4] == b"Lavc");
+    assert!(
+        &lame[..4] == b"LAME" || &lame[..4] == b"Lavf" || &lame[..4] == b"Lavc",
+        "the file has the tag of an encoder"
+    );
     let delay = u32::from(lame[21]) << 4 | u32::from(lame[22]) >> 4;
     let padding = u32::from(lame[22] & 15) << 8 | u32::from(lame[23]);
     assert!(delay > 0, "a gapless header");
@@ -251,7 +257,7 @@ fn every_utterance_tells_its_melody_syllables_phrases_and_sentences() {
                 assert!(voiced, "{text}: a syllable of silence");
             }
             for phone in utterance.phones.iter().filter(|p| p.word.is_some()) {
-                let row = voice.row(&phone.symbol);
+                let row = voice.phone_row(&phone.symbol);
                 assert_eq!(row, Some(phone.row), "{text}: {}", phone.symbol);
             }
         }

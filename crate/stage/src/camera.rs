@@ -327,32 +327,50 @@ mod tests {
         };
         let seen = view.apply(&shot);
         let middle = shot.target_in_world + DVec3::Y * 0.3;
-        assert!((seen.target_in_world - middle).length() < 1e-12);
+        assert!(
+            (seen.target_in_world - middle).length() < 1e-12,
+            "the target of the camera stays in place"
+        );
         // From the figure's left, at half the distance.
         let eye = middle + DVec3::X * (0.5 * distance);
-        assert!((seen.eye_in_world - eye).length() < 1e-9);
+        assert!(
+            (seen.eye_in_world - eye).length() < 1e-9,
+            "the camera returns to its position"
+        );
         // Its right edge is then the figure's back.
         let aside = View {
             right_m: 0.2,
             ..view
         };
         let moved = aside.apply(&shot).target_in_world - middle;
-        assert!((moved - DVec3::NEG_Z * 0.2).length() < 1e-9);
+        assert!(
+            (moved - DVec3::NEG_Z * 0.2).length() < 1e-9,
+            "the camera moves by 20 cm"
+        );
         let above = View {
             tilt_rad: 9.0,
             ..view
         };
         let from = above.apply(&shot);
-        assert!((from.eye_in_world - from.target_in_world).y < 0.5 * distance);
+        assert!(
+            (from.eye_in_world - from.target_in_world).y < 0.5 * distance,
+            "the camera does not rise above half its distance"
+        );
     }
 
     #[test]
     fn a_narrow_picture_stands_further_back() {
         let wide = Shot::Medium.frame(DVec3::ZERO, 1.7, 16.0 / 9.0, FramingMargin::default());
         let tall = Shot::Medium.frame(DVec3::ZERO, 1.7, 390.0 / 844.0, FramingMargin::default());
-        assert!(tall.eye_in_world.z > wide.eye_in_world.z);
+        assert!(
+            tall.eye_in_world.z > wide.eye_in_world.z,
+            "the camera of a tall image is farther away"
+        );
         for c in [wide, tall] {
-            assert!(c.eye_in_world.z > c.near_m && c.eye_in_world.z < c.far_m);
+            assert!(
+                c.eye_in_world.z > c.near_m && c.eye_in_world.z < c.far_m,
+                "the character is between the near and the far plane"
+            );
         }
     }
 
@@ -400,7 +418,8 @@ mod tests {
                     let (plain, above) = (of(0.0), of(captions));
                     assert!(above(0.0) > captions, "{shot:?} {aspect} {captions}");
                     assert!(
-                        (above(1.72) - (captions + (1.0 - captions) * plain(1.72))).abs() < 0.01
+                        (above(1.72) - (captions + (1.0 - captions) * plain(1.72))).abs() < 0.01,
+                        "the crown keeps its height above the captions"
                     );
                 }
             }
@@ -430,9 +449,18 @@ mod tests {
         for shot in [Shot::Long, Shot::Full, Shot::Medium, Shot::Close] {
             let level = shot.frame(DVec3::ZERO, 1.66, 1.78, FramingMargin::default());
             let (high, low) = (level.raised(0.35), level.raised(-0.25));
-            assert!(high.eye_in_world.y > level.eye_in_world.y + 0.1);
-            assert!(low.eye_in_world.y < level.eye_in_world.y - 0.1);
-            assert!(low.eye_in_world.y >= MIN_EYE_M);
+            assert!(
+                high.eye_in_world.y > level.eye_in_world.y + 0.1,
+                "the high angle is above the level one"
+            );
+            assert!(
+                low.eye_in_world.y < level.eye_in_world.y - 0.1,
+                "the low angle is below the level one"
+            );
+            assert!(
+                low.eye_in_world.y >= MIN_EYE_M,
+                "the low angle stays above the floor"
+            );
         }
     }
 

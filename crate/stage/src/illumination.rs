@@ -254,7 +254,10 @@ mod tests {
             assert_eq!(strong.turn_rad, lamp.turn_rad, "{}", emotion.name);
             assert_eq!(strong.lift_rad, lamp.lift_rad, "{}", emotion.name);
             assert_eq!(strong.mist, lamp.mist, "{}", emotion.name);
-            assert!((strong.softness - lamp.softness).abs() < 1e-12);
+            assert!(
+                (strong.softness - lamp.softness).abs() < 1e-12,
+                "the softness of the strong emotion is that of its lamp"
+            );
             // A lamp that goes round turns its light about the figure by as much, and to that side.
             let own = Lighting::default();
             let side = |l: &Lighting| {
@@ -276,11 +279,17 @@ mod tests {
         let none = Illumination::default();
         let lit = none.lamps(&own);
         let moved = lit.key.towards_light_in_world - own.key.towards_light_in_world;
-        assert!(moved.length() < 1e-12);
+        assert!(
+            moved.length() < 1e-12,
+            "without emotion the key light is unchanged"
+        );
         assert_eq!(lit.key.irradiance, own.key.irradiance);
         assert_eq!((lit.sky, lit.fill, lit.rim), (own.sky, own.fill, own.rim));
         for emotion in &EMOTIONS {
-            assert!((emotion.brightness(0.0) - 1.0).abs() < 1e-12);
+            assert!(
+                (emotion.brightness(0.0) - 1.0).abs() < 1e-12,
+                "without emotion the brightness is unchanged"
+            );
             let mut last = emotion.brightness(0.0);
             for i in 1..=100 {
                 let now = emotion.brightness(0.1 * f64::from(i));

@@ -158,9 +158,12 @@ mod tests {
             before.rim.towards_light_in_world,
             after.rim.towards_light_in_world,
         );
-        assert!((a.y - b.y).abs() < 1e-12 && b.x < -1e-3 + a.x.abs());
+        assert!(
+            (a.y - b.y).abs() < 1e-12 && b.x < -1e-3 + a.x.abs(),
+            "the lamp turns about the character"
+        );
         let round = after.turned(std::f64::consts::TAU - 0.5);
         let back = round.rim.towards_light_in_world - a;
-        assert!(back.length() < 1e-9);
+        assert!(back.length() < 1e-9, "two opposite turns restore the lamp");
     }
 }

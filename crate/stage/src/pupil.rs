@@ -45,8 +45,14 @@ mod tests {
             let light = Lighting::named(name).expect("a light");
             diameter_mm(&light, arousal, 0.0)
         };
-        assert!(at("evening", 0.0) > at("studio", 0.0));
-        assert!(at("stage", 1.0) > at("stage", 0.0) + 0.5);
+        assert!(
+            at("evening", 0.0) > at("studio", 0.0),
+            "the pupils are wider in the evening"
+        );
+        assert!(
+            at("stage", 1.0) > at("stage", 0.0) + 0.5,
+            "fear widens the pupils"
+        );
         for (name, light) in Lighting::PRESETS {
             let mut last = 0.0;
             for i in 0..600 {

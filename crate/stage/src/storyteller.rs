@@ -174,7 +174,7 @@ impl Span {
             bottom_m: self.bottom * stature_m,
             half_width_m: HEAD_HALF_WIDTH * stature_m,
         };
-        self.with(&head, stature_m, aspect)
+        self.including_hands(&head, stature_m, aspect)
     }
 
     fn height(self) -> f64 {
@@ -228,7 +228,7 @@ impl Span {
     /// Returns the span extended by the space of hands, in an image of `aspect` (width over
     /// height).
     #[must_use]
-    pub fn with(self, space: &TakenSpace, stature_m: f64, aspect: f64) -> Self {
+    pub fn including_hands(self, space: &TakenSpace, stature_m: f64, aspect: f64) -> Self {
         let held = self.and(Self {
             bottom: space.bottom_m / stature_m,
             top: space.top_m / stature_m,
@@ -254,7 +254,7 @@ impl Span {
     /// Returns the span for a gesture: all of it, but in a narrow image no more than from below the
     /// waist up for hands. A whole body is shown whole.
     fn for_gesture(self, space: &TakenSpace, stature_m: f64, aspect: f64) -> Self {
-        let mut needed = self.with(space, stature_m, aspect);
+        let mut needed = self.including_hands(space, stature_m, aspect);
         // Hands near the lower edge get air below them, and are not behind captions.
         if space.bottom_m < (self.bottom + NEAR_EDGE) * stature_m {
             needed.bottom = needed.bottom.min(self.bottom - PULLED);
@@ -333,7 +333,10 @@ mod tests {
             assert!(0.5 * (y(1.0) - y(0.868)) > least, "{aspect}");
         }
         // On a phone the waist is seen, on a desktop it is not (ANSUR: 0.61 to 0.62).
-        assert!(Span::at_rest(0.46).bottom < 0.6 && Span::at_rest(1.78).bottom > 0.61);
+        assert!(
+            Span::at_rest(0.46).bottom < 0.6 && Span::at_rest(1.78).bottom > 0.61,
+            "the bottom of the frame follows the stature"
+        );
     }
 
     #[test]

@@ -205,7 +205,10 @@ mod tests {
         assert_eq!(jaw(high), Jaw::RANGES.map(|[_, most]| most));
         let slides =
             [low, high].map(|face| raconteur_base::ops::hypot(face.jaw.forward_m, face.jaw.down_m));
-        assert!(slides.into_iter().all(|slide| slide < Jaw::MAX_SLIDE_M));
+        assert!(
+            slides.into_iter().all(|slide| slide < Jaw::MAX_SLIDE_M),
+            "the jaw slides less than its maximum"
+        );
     }
 
     #[test]
@@ -249,7 +252,10 @@ mod tests {
         for lid in [-1.0, 0.0, 0.4, 1.0] {
             let mut face = all(lid);
             face.close_lids(0.5);
-            assert!((face.upper_lid[0] - (lid + 1.0) / 2.0).abs() < 1e-12);
+            assert!(
+                (face.upper_lid[0] - (lid + 1.0) / 2.0).abs() < 1e-12,
+                "the blink halves a wide eye"
+            );
             face.close_lids(1.0);
             assert_eq!(face.upper_lid, [1.0; 2]);
         }

@@ -55,7 +55,10 @@ mod tests {
         let out = spread_of([0.0; 25], moved);
         let (peak, middle) = (out[7], out[12]);
         assert!(middle > 0.55 * peak, "{out:?}");
-        assert!((out[0], out[24]) == (0.0, 0.0));
+        assert!(
+            (out[0], out[24]) == (0.0, 0.0),
+            "the ends of the cord stay fixed"
+        );
         for k in 0..12 {
             assert!(
                 (out[k] - out[24 - k]).abs() < 1e-6,
@@ -71,7 +74,7 @@ mod tests {
         // Moved as a whole, it is moved as a whole.
         let lifted = asked.map(|y| y + 0.25);
         for (a, b) in spread_of(asked, lifted).iter().zip(lifted) {
-            assert!((a - b).abs() < 1e-6);
+            assert!((a - b).abs() < 1e-6, "both sides of the ring are equal");
         }
     }
 }

@@ -251,7 +251,7 @@ mod tests {
         let head = "name\tsides\tcode\tshortens\tbulge_mm\tfold\tarkit\tclosures\tcloses_jaw\n";
         let row = |cells: &str| format!("{head}{}\n", cells.replace(' ', "\t"));
         let good = row("A pair A 0.2 1 - - 30:20 5");
-        assert!(table::read(&good).is_ok());
+        assert!(table::read(&good).is_ok(), "the valid table is accepted");
         let bad = [
             "".to_owned(),
             "name\tsides\n".to_owned(),

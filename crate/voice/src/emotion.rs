@@ -291,8 +291,14 @@ mod tests {
             .collect();
         assert_eq!(spans, [("kidding", 0, 3, 4), ("distress", 5, 8, 9)]);
         let strengths: Vec<f64> = (0..6).map(|w| emotions[0].strength(w)).collect();
-        assert!(strengths[0] < strengths[1] && strengths[1] < strengths[2]);
-        assert!(strengths[3] > strengths[4] && strengths[5] == 0.0);
+        assert!(
+            strengths[0] < strengths[1] && strengths[1] < strengths[2],
+            "the strength rises to the apex"
+        );
+        assert!(
+            strengths[3] > strengths[4] && strengths[5] == 0.0,
+            "the strength falls after the apex"
+        );
     }
 
     #[test]
@@ -303,7 +309,10 @@ mod tests {
         assert_eq!(felt.len(), 1);
         assert_eq!((felt[0].first_word, felt[0].last_word), (0, 2));
         assert_eq!(place_of(&felt, 1).activation, 60.0);
-        assert!(place_of(&felt, 3).is_neutral());
+        assert!(
+            place_of(&felt, 3).is_neutral(),
+            "the word after the phrase is neutral"
+        );
     }
 
     #[test]
@@ -366,9 +375,9 @@ mod tests {
             };
             moved_pauses(&plan.sentences, core::slice::from_ref(&spoken), &|_| place).remove(0)
         };
-        assert!(count(0.0).is_empty());
+        assert!(count(0.0).is_empty(), "a neutral delivery has no pauses");
         assert_eq!(count(70.0).len(), 1);
-        assert!(count(70.0)[0].1 > 0.0);
+        assert!(count(70.0)[0].1 > 0.0, "excitement adds pauses");
         assert_eq!(count(-70.0).len(), 1);
         assert_eq!(count(-70.0)[0].1, 0.0);
     }

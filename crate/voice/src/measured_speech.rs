@@ -227,7 +227,10 @@ mod tests {
         let (utterance, samples) = spoken(0.08, 150.0);
         let heard = measure_speech(&utterance, "radio", &samples, RATE_HZ);
         assert_eq!(heard.vowels.of, 2);
-        assert!(heard.pauses_under_db() > 35.0);
+        assert!(
+            heard.pauses_under_db() > 35.0,
+            "the pauses are at least 35 dB below the speech"
+        );
         let (_, silent) = spoken(0.08, 0.0);
         let heard = measure_speech(&utterance, "radio", &silent, RATE_HZ);
         assert_eq!(heard.vowels.holds, 0);

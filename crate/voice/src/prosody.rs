@@ -123,6 +123,9 @@ mod tests {
             })
             .rate
         };
-        assert!((at(50.0) - 1.25).abs() < 1e-12 && (at(-30.0) - 0.85).abs() < 1e-12);
+        assert!(
+            (at(50.0) - 1.25).abs() < 1e-12 && (at(-30.0) - 0.85).abs() < 1e-12,
+            "the rate factors of 50 and -30 per cent"
+        );
     }
 }

@@ -197,11 +197,17 @@ mod tests {
         let faster = Markup::Rate(Setting::Factor(1.2));
         let once = Style::default().with(&faster, "");
         let twice = once.with(&faster, "");
-        assert!((twice.rate.factor_on(180.0) - 1.44).abs() < 1e-12);
+        assert!(
+            (twice.rate.factor_on(180.0) - 1.44).abs() < 1e-12,
+            "nested changes of the rate multiply"
+        );
         let named = twice.with(&Markup::Rate(Setting::Value(90.0)), "");
         assert_eq!(named.rate.factor_on(180.0), 0.5);
         let own = named.with(&Markup::Rate(Setting::Default), "");
-        assert!(own.rate.is_default());
+        assert!(
+            own.rate.is_default(),
+            "the element's own value replaces the rate"
+        );
     }
 
     #[test]

@@ -132,46 +132,71 @@ fn assert_tiles(alignment: &Alignment) {
     let mut end_secs = 0.0;
     for segment in &alignment.segments {
         assert_eq!(segment.start_secs, end_secs);
-        assert!(segment.end_secs > segment.start_secs);
+        assert!(
+            segment.end_secs > segment.start_secs,
+            "the segment has a positive duration"
+        );
         end_secs = segment.end_secs;
     }
     let mut end_secs = 0.0;
     for word in &alignment.words {
-        assert!(word.start_secs >= end_secs && word.end_secs > word.start_secs);
-        assert!(!word.label.is_empty());
+        assert!(
+            word.start_secs >= end_secs && word.end_secs > word.start_secs,
+            "the word starts after the last one and has a duration"
+        );
+        assert!(!word.label.is_empty(), "the word has a label");
         end_secs = word.end_secs;
     }
     let mut after = 0;
     for syllable in &alignment.syllables {
-        assert!(syllable.first_segment >= after && syllable.count > 0 && syllable.stress <= 2);
+        assert!(
+            syllable.first_segment >= after && syllable.count > 0 && syllable.stress <= 2,
+            "the syllable follows the last one and is valid"
+        );
         after = syllable.first_segment + syllable.count;
     }
-    assert!(after <= alignment.segments.len());
-    assert!(alignment.f0.is_sorted_by(|a, b| a.0 <= b.0));
+    assert!(
+        after <= alignment.segments.len(),
+        "the syllables refer to segments"
+    );
+    assert!(
+        alignment.f0.is_sorted_by(|a, b| a.0 <= b.0),
+        "the pitch points are sorted by time"
+    );
     assert!(
         alignment
             .f0
             .iter()
-            .all(|(secs, hz)| *secs >= 0.0 && *hz > 0.0)
+            .all(|(secs, hz)| *secs >= 0.0 && *hz > 0.0),
+        "the pitch points have valid times and frequencies"
     );
     assert!(
         alignment
             .accents
-            .is_sorted_by(|a, b| a.at_secs <= b.at_secs)
+            .is_sorted_by(|a, b| a.at_secs <= b.at_secs),
+        "the accents are sorted by time"
     );
-    assert!(alignment.tones.is_sorted_by(|a, b| a.at_secs <= b.at_secs));
-    assert!(alignment.warnings.len() <= 101);
+    assert!(
+        alignment.tones.is_sorted_by(|a, b| a.at_secs <= b.at_secs),
+        "the tones are sorted by time"
+    );
+    assert!(
+        alignment.warnings.len() <= 101,
+        "the number of warnings is bounded"
+    );
     assert!(
         alignment
             .warnings
             .iter()
-            .all(|w| w.line > 0 && w.column > 0)
+            .all(|w| w.line > 0 && w.column > 0),
+        "each warning has a line and a column"
     );
     for i in 0..=alignment.segments.len() {
         assert!(
             alignment
                 .word_of(i)
-                .is_none_or(|w| w < alignment.words.len())
+                .is_none_or(|w| w < alignment.words.len()),
+            "the word of the segment exists"
         );
     }
 }

@@ -30,30 +30,43 @@ fn read_holds(format: Format, bytes: &[u8]) {
     let alignment = match read(format, bytes) {
         Ok(alignment) => alignment,
         Err(fault) => {
-            assert!(fault.line > 0 && fault.column > 0 && !fault.message.is_empty());
+            assert!(
+                fault.line > 0 && fault.column > 0 && !fault.message.is_empty(),
+                "the error has a line, a column and a message"
+            );
             return;
         }
     };
     let mut end_secs = 0.0;
     for segment in &alignment.segments {
         assert_eq!(segment.start_secs, end_secs);
-        assert!(segment.end_secs > segment.start_secs);
+        assert!(
+            segment.end_secs > segment.start_secs,
+            "the segment has a positive duration"
+        );
         end_secs = segment.end_secs;
     }
     let mut end_secs = 0.0;
     for word in &alignment.words {
-        assert!(word.start_secs >= end_secs && word.end_secs > word.start_secs);
+        assert!(
+            word.start_secs >= end_secs && word.end_secs > word.start_secs,
+            "the word starts after the last one and has a duration"
+        );
         end_secs = word.end_secs;
     }
     for syllable in &alignment.syllables {
-        assert!(syllable.count > 0);
-        assert!(syllable.first_segment + syllable.count <= alignment.segments.len());
+        assert!(syllable.count > 0, "the syllable has segments");
+        assert!(
+            syllable.first_segment + syllable.count <= alignment.segments.len(),
+            "the syllable refers to segments"
+        );
     }
     for i in 0..=alignment.segments.len() {
         assert!(
             alignment
                 .word_of(i)
-                .is_none_or(|w| w < alignment.words.len())
+                .is_none_or(|w| w < alignment.words.len()),
+            "the word of the segment exists"
         );
     }
 }
@@ -92,10 +105,19 @@ fn what_fuzzing_has_kept_is_refused_or_read() {
 #[test]
 fn too_much_is_refused() {
     let xml = vec![b' '; MAX_BYTES + 1];
-    assert!(read(Format::MaryXml, &xml).is_err());
-    assert!(read(Format::RhubarbJson, &xml[..=MAX_JSON_BYTES]).is_err());
+    assert!(
+        read(Format::MaryXml, &xml).is_err(),
+        "an oversized XML file is rejected"
+    );
+    assert!(
+        read(Format::RhubarbJson, &xml[..=MAX_JSON_BYTES]).is_err(),
+        "an oversized JSON file is rejected"
+    );
     let long = format!("<maryxml><t sampa='{}'/></maryxml>", "a".repeat(1001));
-    assert!(read(Format::MaryXml, long.as_bytes()).is_err());
+    assert!(
+        read(Format::MaryXml, long.as_bytes()).is_err(),
+        "too many segments are rejected"
+    );
     let many = "a 1\n".repeat(1_000_001);
     let fault = read(Format::Mbrola, many.as_bytes()).unwrap_err();
     assert_eq!((fault.line, fault.column), (1_000_001, 1));
@@ -104,7 +126,8 @@ fn too_much_is_refused() {
         read(Format::MaryXml, deep.as_bytes())
             .unwrap_err()
             .message
-            .contains("deep")
+            .contains("deep"),
+        "the error for deep nesting"
     );
 }
 

@@ -191,14 +191,29 @@ fn what_is_no_document_is_refused_with_its_place() {
 #[test]
 fn sizes_are_bounded() {
     let nested = |n: usize| format!("{}a{}", "<EMPH>".repeat(n), "</EMPH>".repeat(n));
-    assert!(sable::read(&nested(100)).is_ok());
+    assert!(
+        sable::read(&nested(100)).is_ok(),
+        "100 nested elements are accepted"
+    );
     let problem = sable::read(&nested(101)).unwrap_err();
     assert_eq!((problem.line, problem.column), (1, 601));
     let deep = |n: usize| format!("{}a{}", "<x>".repeat(n), "</x>".repeat(n));
-    assert!(sable::read(&deep(300)).is_ok() && sable::read(&deep(500)).is_err());
-    assert!(sable::read(&"a".repeat(raconteur_voice::markup::MAX_DOCUMENT_BYTES)).is_ok());
-    assert!(sable::read(&"a".repeat(raconteur_voice::markup::MAX_DOCUMENT_BYTES + 1)).is_err());
-    assert!(ssml::read(&"<break/>".repeat(60_000)).is_err());
+    assert!(
+        sable::read(&deep(300)).is_ok() && sable::read(&deep(500)).is_err(),
+        "the limit of nesting is between 300 and 500"
+    );
+    assert!(
+        sable::read(&"a".repeat(raconteur_voice::markup::MAX_DOCUMENT_BYTES)).is_ok(),
+        "a document of the maximum size is accepted"
+    );
+    assert!(
+        sable::read(&"a".repeat(raconteur_voice::markup::MAX_DOCUMENT_BYTES + 1)).is_err(),
+        "a document beyond the maximum size is rejected"
+    );
+    assert!(
+        ssml::read(&"<break/>".repeat(60_000)).is_err(),
+        "60000 breaks are rejected"
+    );
     let long = format!("<PRON SUB='{}'>a</PRON>", "b".repeat(2000));
     let (content, problems) = sable::read(&long).unwrap();
     assert_eq!((content.words(), problems.len()), (vec!["a".to_owned()], 2));
@@ -213,8 +228,14 @@ fn what_stands_for_a_recording_is_said_where_there_is_none() {
     let (content, problems) = ssml::read_beside(text, &|_| false).unwrap();
     assert_eq!(content.words().join(" "), "Listen. A bell rang.");
     assert_eq!(problems.len(), 1, "{problems:?}");
-    assert!(problems[0].to_string().contains("bell.mp3"));
+    assert!(
+        problems[0].to_string().contains("bell.mp3"),
+        "the problem names the missing recording"
+    );
     let (content, problems) = ssml::read_beside(text, &|_| true).unwrap();
     assert_eq!(content.words(), ["Listen."]);
-    assert!(problems.is_empty());
+    assert!(
+        problems.is_empty(),
+        "an existing recording causes no problem"
+    );
 }

@@ -87,7 +87,10 @@ fn what_is_heard_is_what_the_bundles_tell() {
         assert!(under >= 35.0, "{}: {under:.1} dB", folder.display());
         all.add(&sum);
     }
-    assert!(all.bursts.of > 600 && all.vowels.of > 1400);
+    assert!(
+        all.bursts.of > 600 && all.vowels.of > 1400,
+        "enough bursts and vowels are compared"
+    );
     assert!(
         all.bursts.percent() >= 95.0,
         "{:.1} %",

@@ -111,7 +111,10 @@ fn a_lexicon_goes_before_everything() {
         "\u{feff}# for everybody\r\ngif = jiff   # not with a hard g\r\nC++ = see plus plus\n\
          [de]\nBeat = Beeaht\nKnabe = /ˈknaːbə/\n[*]\nDr. = Drummer\n",
     );
-    assert!(!lexicon.is_empty() && Lexicon::default().is_empty());
+    assert!(
+        !lexicon.is_empty() && Lexicon::default().is_empty(),
+        "only the filled lexicon is not empty"
+    );
     let say = |text: &str, language: &str| {
         let written: Vec<&str> = text.split_whitespace().collect();
         speakable(&written, language, None, &lexicon)
@@ -124,7 +127,10 @@ fn a_lexicon_goes_before_everything() {
     let german = say("Der Beat: „Knabe“.", "de-AT").concat();
     assert_eq!(joined(&german), "Der Beeaht: Knabe.");
     assert_eq!(german[2].ipa.as_deref(), Some("ˈknaːbə"));
-    assert!(german[1].ipa.is_none());
+    assert!(
+        german[1].ipa.is_none(),
+        "the word of another language has no pronunciation"
+    );
     // It also serves languages that are not read here.
     assert_eq!(joined(&say("un gif.", "fr").concat()), "un jiff.");
 }

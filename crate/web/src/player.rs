@@ -6,7 +6,7 @@ use raconteur_player::base::Side;
 use raconteur_player::body::Bone;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
-use raconteur_player::reshape::{Hair, Lenders, Reshaper};
+use raconteur_player::reshape::{Hair, HairDonors, Reshaper};
 use raconteur_player::stage::{Frame, FramingMargin, Lighting, View};
 use raconteur_player::{LanguageTag, Options, Player as Performer};
 use raconteur_render::{Backend, CanvasTarget, Quality, RenderStatus};
@@ -61,7 +61,7 @@ pub struct Player {
     /// Original figure, once its face has been replaced.
     pub(crate) reshaper: Option<Reshaper>,
     /// Hair donors.
-    pub(crate) donors: Lenders,
+    pub(crate) donors: HairDonors,
     /// Hair and beard that the figure has.
     pub(crate) hair: [Hair; 2],
 }
@@ -94,7 +94,7 @@ impl Player {
             language: None,
             sized: false,
             reshaper: None,
-            donors: Lenders::new(),
+            donors: HairDonors::new(),
             hair: Default::default(),
         })
     }

@@ -1,4 +1,4 @@
-//! The arms: where gestures and rest want the hands, apart from each other and out of the body.
+//! Arms: hand goals of gestures and rest, separated from each other and moved out of the body.
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -22,7 +22,7 @@ impl Actor {
     ) -> ([ArmSolution; 2], [DVec3; 2], [f64; 2]) {
         let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
         let targets = self.plans.each_ref().map(|plan| plan.sample(t));
-        // What rests goes with the trunk; what gestures is in the world.
+        // A resting hand moves with the trunk; a gesturing hand is fixed in the world.
         let moved = thorax * self.rigs[0].world_from_thorax_zero().inverse();
         let turned = rotation_of(&moved);
         let mut hands =
@@ -40,7 +40,8 @@ impl Actor {
             self.rigs[i].solve(&thorax, &goal)
         };
         let mut arms = Side::BOTH.map(|side| solve(side, &hands[side.index()]));
-        // Hands meet as they are, which is not always as they are wanted.
+        // The contact depends on the reached hand positions, which can differ from the requested
+        // ones.
         let met = Side::BOTH.map(|side| {
             let i = side.index();
             TargetHand {
@@ -71,7 +72,8 @@ impl Actor {
         (arms, hands.map(|hand| hand.wrist), rest_shares)
     }
 
-    /// A target as a hand in the world, outside the body.
+    /// Converts the target of a hand into a hand in world coordinates, moved with the trunk and
+    /// kept outside the body.
     fn place(
         &self,
         side: Side,

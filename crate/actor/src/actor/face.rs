@@ -1,4 +1,4 @@
-//! The face: speech first, then all else that moves it.
+//! Face: combines speech with all other facial motion.
 
 use raconteur_base::noise;
 use raconteur_body::face::{FaceControls, Muscle};
@@ -22,8 +22,8 @@ impl Actor {
         self.feeling.arousal(time_secs)
     }
 
-    /// The controls of the face at a story time: one face for figures of every kind.
-    /// Every value is within its range.
+    /// Returns the controls of the face at a story time, seconds. They apply to figures of every
+    /// kind, and every value is within its range.
     #[must_use]
     pub fn controls(&self, time_secs: f64) -> FaceControls {
         let t = if time_secs.is_finite() {
@@ -42,14 +42,14 @@ impl Actor {
         self.expression(t, &mut controls);
         self.feeling.add(t, &mut controls);
         controls.raise_jaw();
-        // Closures have their way with the sum, and a blink, which closes the lids whatever
-        // else they do, with the lids.
+        // Closures override the sum of all motion; a blink overrides the lids.
         hold_closures(&mut controls);
         controls.close_lids(self.feeling.closure(t));
         controls
     }
 
-    /// The mouth: of speech, and of visemes that the script sets.
+    /// Returns the state of the mouth at a story time, seconds: from speech, plus the visemes that
+    /// the script sets.
     pub(super) fn mouth(&self, t: f64) -> MouthTargets {
         let mut mouth = self.spoken_mouth(t);
         if let Some(asked) = self.feeling.visemes(t) {
@@ -86,7 +86,7 @@ impl Actor {
         let n =
             |id: u64, hz: f64| noise::perlin(self.seed, stream::FACE + id, hz * t) * self.amount;
         let speaking = self.rhythm.speaking(t) * self.amount;
-        // One does not smile to oneself in tears.
+        // A crying character does not smile idly.
         let resting = if self.welcomes {
             WELCOME_SMILE
         } else {

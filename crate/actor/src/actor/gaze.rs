@@ -1,4 +1,4 @@
-//! Head and eyes: to the listener, and away.
+//! Head and eye motion towards the listener and away.
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Length};
 use raconteur_body::{Bone, Pose, Skeleton};

@@ -1,4 +1,4 @@
-//! A clip fitted to one figure: places in metres, reaches solved, legs that stand.
+//! Clip fitted to one figure: positions in metres, solved reaches and planted legs.
 
 use std::sync::Arc;
 
@@ -22,14 +22,15 @@ const HEEL_BEHIND: f64 = 0.033;
 /// Foot lift above which the toes are released, share of stature. Designed.
 const TOES_FREE: f64 = 0.03;
 
-/// Measures of a figure that clips need.
+/// Measures of a figure that fit animation clips to it: legs, arms, balls of the feet, shoulders
+/// and stature.
 #[derive(Clone, Debug)]
 pub(crate) struct ClipSkeleton {
     pub(crate) legs: [Leg; 2],
     arms: [Arc<ArmRig>; 2],
     /// The ball of each foot in the zero pose, world, metres.
     balls: [DVec3; 2],
-    /// The same in the ankle's frame.
+    /// Balls of the left and right foot in the frame of the ankle, metres.
     ball_in_foot: [DVec3; 2],
     /// Middle between the shoulders in the zero pose, world, metres.
     shoulders: DVec3,
@@ -60,12 +61,14 @@ impl ClipSkeleton {
         }
     }
 
-    /// The ball of a foot from its ankle and rotation (world from ankle), world, metres.
+    /// Returns the ball of a foot for an ankle position (world, metres) and a foot rotation (world
+    /// from ankle); world, metres.
     pub(crate) fn ball(&self, side: usize, ankle: DVec3, foot: DQuat) -> DVec3 {
         ankle + foot * self.ball_in_foot[side]
     }
 
-    /// The ankle of a foot from its ball and rotation, world, metres.
+    /// Returns the ankle for a ball of the foot (world, metres) and a foot rotation (world from
+    /// ankle); world, metres.
     pub(crate) fn ankle(&self, side: usize, ball: DVec3, foot: DQuat) -> DVec3 {
         ball - foot * self.ball_in_foot[side]
     }
@@ -104,7 +107,8 @@ impl ClipSkeleton {
     }
 }
 
-/// A clip with its weight in a mean.
+/// Clip at one of its times, with the bones that it moves and its weight in a weighted mean of
+/// clips.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WeightedClip {
     /// The clip's own time, seconds.
@@ -114,7 +118,7 @@ pub(crate) struct WeightedClip {
     pub(crate) share: f64,
 }
 
-/// A clip fitted to a figure.
+/// Animation clip fitted to one figure: its reaches are solved as arm rotations.
 #[derive(Clone, Debug)]
 pub(crate) struct BoundClip {
     pub(crate) clip: Arc<Clip>,
@@ -201,7 +205,7 @@ impl BoundClip {
         Some(DVec3::new(x, y, z) * body.stature_m)
     }
 
-    /// Those of some bones that the clip moves.
+    /// Returns the bones of a set that the clip moves.
     pub(crate) fn moved(&self, bones: BoneSet) -> BoneSet {
         bones.and(self.moves)
     }
@@ -269,7 +273,7 @@ impl BoundClip {
                 stands += 0.5;
             }
         }
-        // The figure's place goes with its legs, half with each.
+        // Each leg moves the figure's position by half.
         into.add_root(pose.root_offset_in_world, share * stands);
     }
 }

@@ -1,4 +1,4 @@
-//! An animation: what moves, when, on any figure.
+//! Animations: motion over time, independent of the figure.
 
 use raconteur_base::{DQuat, DVec3, Side};
 use raconteur_body::Bone;
@@ -7,7 +7,7 @@ use raconteur_body::hand_shape::HandShape;
 use super::curve::{Curve, Ease};
 use super::groups::BoneSet;
 
-/// Path of a foot, in units that suit every figure.
+/// Path of a foot in a clip, in units independent of the figure's size.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct FootTrack {
     /// Offset from the foot's place in the zero pose, shares of stature: outwards, up, to the
@@ -18,7 +18,7 @@ pub(crate) struct FootTrack {
     pub(crate) turn: Curve,
 }
 
-/// Path of a hand relative to the shoulders.
+/// Path of a hand in a clip, relative to the shoulders; each figure solves it for its own arm.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ReachTrack {
     pub(crate) side: Side,
@@ -26,7 +26,8 @@ pub(crate) struct ReachTrack {
     pub(crate) ease: Ease,
 }
 
-/// One key of a [`ReachTrack`], of the left hand: a right one is mirrored.
+/// Key of a [`ReachTrack`]: hand position and directions of fingers and palm at one time, for the
+/// left hand. The right hand is mirrored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ReachKey {
     pub(crate) time_secs: f64,
@@ -39,7 +40,8 @@ pub(crate) struct ReachKey {
     pub(crate) palm: DVec3,
 }
 
-/// An animation, for any figure. [`super::Library`] makes them of files.
+/// Animation of bones, root, feet and hands that fits any figure. [`super::Library`] creates clips
+/// from files.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Clip {
     pub(crate) duration_secs: f64,
@@ -55,7 +57,7 @@ pub struct Clip {
 }
 
 impl Clip {
-    /// Length of one pass, seconds; 0 for a stance.
+    /// Returns the duration of one pass, seconds; 0 for a static posture.
     #[must_use]
     pub fn duration_secs(&self) -> f64 {
         self.duration_secs
@@ -82,7 +84,7 @@ impl Clip {
         })
     }
 
-    /// The bones that it moves.
+    /// Returns the bones that the clip moves.
     #[must_use]
     pub fn moves(&self) -> BoneSet {
         let mut set = BoneSet::NONE;
@@ -102,7 +104,7 @@ impl Clip {
         set
     }
 
-    /// The stance of a hand shape of the dictionary (GEVH 3.5.1) on both hands.
+    /// Returns a static clip that holds a hand shape of the dictionary (GEVH 3.5.1) on both hands.
     #[must_use]
     pub(crate) fn of_hand_shape(shape: &HandShape) -> Self {
         let hands = Side::BOTH

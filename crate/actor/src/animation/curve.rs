@@ -1,9 +1,9 @@
-//! Keyed values over the time of a clip: rotations, places and angles alike.
+//! Keyed curves over the time of a clip for rotations, positions and angles.
 
 use raconteur_base::curve::hermite;
 use raconteur_base::{DQuat, Length};
 
-/// Interpolation of a track between its keys.
+/// Interpolation of a clip track between its keys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ease {
     /// Smoothly through, without overshoot: the speed at a key is the harmonic mean of those
@@ -12,14 +12,14 @@ pub enum Ease {
     Flow,
     /// Coming to rest at each key.
     Rest,
-    /// At constant speed between keys.
+    /// Linear interpolation between keys, at constant speed.
     Linear,
     /// Holds each value until the next key.
     Step,
 }
 
 impl Ease {
-    /// Words of the clip format.
+    /// Names of the interpolation modes in the clip format.
     pub const WORDS: [(&'static str, Self); 4] = [
         ("flow", Self::Flow),
         ("rest", Self::Rest),
@@ -28,7 +28,8 @@ impl Ease {
     ];
 }
 
-/// Four numbers over time. A rotation is x, y, z, w and is normalised after reading.
+/// Keyed curve of four numbers over clip time, seconds; holds rotations, positions and angles. A
+/// rotation is x, y, z, w and is normalised after reading.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curve {
     times: Vec<f64>,
@@ -39,9 +40,9 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// Through keys whose times ascend. With `period` the curve closes on itself: the key
-    /// before the first is the last one, a period earlier. `times` and `values` are of one
-    /// length, which is not 0.
+    /// Creates a curve through keys with ascending times, seconds. With `period` the curve is
+    /// closed: the last key, one period earlier, precedes the first. `times` and `values` have the
+    /// same non-zero length.
     #[must_use]
     pub fn new(times: &[f64], values: &[[f64; 4]], ease: Ease, period: Option<f64>) -> Self {
         let mut times = times.to_vec();
@@ -82,7 +83,8 @@ impl Curve {
         Self::new(times, &values, ease, period)
     }
 
-    /// The value at a time; the first key's before it, the last key's after it. O(log n).
+    /// Returns the value at a time, seconds; the first key's before it, the last key's after it.
+    /// O(log n).
     #[must_use]
     pub fn sample(&self, time_secs: f64) -> [f64; 4] {
         let next = self.times.partition_point(|&t| t <= time_secs);
@@ -105,7 +107,7 @@ impl Curve {
         })
     }
 
-    /// The rotation at a time.
+    /// Returns the curve's value at a time, seconds, as a unit quaternion.
     #[must_use]
     pub fn rotation_at(&self, time_secs: f64) -> DQuat {
         let next = self.times.partition_point(|&t| t <= time_secs);
@@ -124,7 +126,7 @@ impl Curve {
     }
 }
 
-/// Two numbers of times that are meant to be one.
+/// Difference below which two key times count as equal, seconds.
 const SAME_SECS: f64 = 1e-6;
 
 /// Adds the keys just outside a period, so the period begins and ends within keys.
@@ -132,7 +134,7 @@ fn close(times: &mut Vec<f64>, values: &mut Vec<[f64; 4]>, period: f64) {
     let n = times.len();
     let (first, last) = (times[0], times[n - 1]);
     let (at_first, at_last) = (values[0], values[n - 1]);
-    // Of rotations q and −q are one; the nearer sign goes on without a turn.
+    // q and −q are the same rotation; the nearer sign avoids an extra turn.
     let near = |v: [f64; 4], to: [f64; 4]| {
         let dot: f64 = v.iter().zip(to).map(|(a, b)| a * b).sum();
         let unit = |q: [f64; 4]| (q.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-9;
@@ -233,7 +235,10 @@ mod tests {
             };
             let c = curve(times, &values, Ease::Flow, Some(1.0));
             let h = 1e-6;
-            assert!((c.sample(0.0)[0] - c.sample(1.0 - 1e-12)[0]).abs() < 1e-9);
+            assert!(
+                (c.sample(0.0)[0] - c.sample(1.0 - 1e-12)[0]).abs() < 1e-9,
+                "a closed curve has the same value at both ends"
+            );
             let start = (c.sample(h)[0] - c.sample(0.0)[0]) / h;
             let end = (c.sample(1.0 - h)[0] - c.sample(1.0 - 2.0 * h)[0]) / h;
             assert!((start - end).abs() < 1e-3, "{start} {end}");
@@ -247,8 +252,11 @@ mod tests {
         let c = Curve::of_rotations(&[0.0, 1.0], &[a, b], Ease::Rest, None);
         for i in 0..=10 {
             let q = c.rotation_at(f64::from(i) * 0.1);
-            assert!(q.is_normalized());
-            assert!(q.angle_between(DQuat::from_rotation_x(0.6)) < 0.41);
+            assert!(q.is_normalized(), "the rotation is normalised");
+            assert!(
+                q.angle_between(DQuat::from_rotation_x(0.6)) < 0.41,
+                "the interpolated rotation takes the short way"
+            );
         }
     }
 }

@@ -1,16 +1,16 @@
-//! Sets of bones, and the default body groups of GEVH fig. 3.3.
+//! Bone sets and the default body groups of GEVH fig. 3.3.
 
 use raconteur_base::Side;
 use raconteur_body::Bone;
 
-/// A set of bones.
+/// Set of bones; selects the bones that a clip, track or player moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct BoneSet(u64);
 
 impl BoneSet {
-    /// No bone.
+    /// Set without any bone.
     pub const NONE: Self = Self(0);
-    /// Every bone.
+    /// Set of all bones.
     pub const ALL: Self = Self((1 << Bone::COUNT) - 1);
 
     /// Returns true if the set contains a bone.
@@ -25,19 +25,19 @@ impl BoneSet {
         self.0 == 0
     }
 
-    /// This and one more bone.
+    /// Returns the set with one bone added.
     #[must_use]
     pub fn with(self, bone: Bone) -> Self {
         Self(self.0 | 1 << bone.index())
     }
 
-    /// The bones of either.
+    /// Returns the union of both sets.
     #[must_use]
     pub fn or(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    /// The bones of both.
+    /// Returns the intersection of both sets.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self(self.0 & other.0)
@@ -49,13 +49,14 @@ impl BoneSet {
         Self(self.0 & !other.0)
     }
 
-    /// All from one bone to another in [`Bone::ALL`]'s order, both included.
+    /// Returns the bits of all bones from one to another in the order of [`Bone::ALL`], both
+    /// included.
     const fn range(from: Bone, to: Bone) -> u64 {
         let (from, to) = (from as u64, to as u64);
         ((1 << (to - from + 1)) - 1) << from
     }
 
-    /// A leg from hip to toes.
+    /// Returns the bones of one leg, from the hip to the toes.
     #[must_use]
     pub fn leg(side: Side) -> Self {
         Self(match side {
@@ -100,7 +101,8 @@ pub const BODY_GROUPS: [(&str, BoneSet); 8] = [
     ),
 ];
 
-/// The bones of a default body group.
+/// Returns the bones of a default body group (GEVH fig. 3.3) by name, for example `left_arm`;
+/// `None` for an unknown name.
 #[must_use]
 pub fn body_group(name: &str) -> Option<BoneSet> {
     let found = BODY_GROUPS.iter().find(|(n, _)| *n == name);
@@ -119,7 +121,10 @@ mod tests {
             sum = sum.or(bones);
         }
         assert_eq!(sum, BoneSet::ALL);
-        assert!(body_group("left_hand").is_some_and(|g| g.has(Bone::LPinky2)));
+        assert!(
+            body_group("left_hand").is_some_and(|g| g.has(Bone::LPinky2)),
+            "the left hand group contains the little finger"
+        );
         assert_eq!(body_group("left_leg"), Some(BoneSet::leg(Side::Left)));
         assert_eq!(body_group("tail"), None);
     }

@@ -1,8 +1,8 @@
-//! Joint angles as an author writes them: by anatomical names, in degrees, from standing
-//! with the arms hanging.
+//! Joint angles of animation files: anatomical names, in degrees, relative to standing with hanging
+//! arms.
 //!
-//! The zero pose of the skeleton stretches the arms out sideways; authors think of arms that
-//! hang. Only this file knows the difference.
+//! The zero pose of the skeleton stretches the arms out sideways, but authors think of hanging
+//! arms. Only this file converts between the two.
 
 use raconteur_base::{DQuat, DVec3, Length, Side};
 use raconteur_body::Bone;
@@ -33,8 +33,8 @@ enum JointKind {
     Ankle,
 }
 
-/// A joint of the clip format. Those with a side are written `left_NAME`, `right_NAME`, or
-/// `NAMEs` for both.
+/// Joint of the clip format: its name, its bone and the meaning of its angles. Names of paired
+/// joints are written `left_NAME`, `right_NAME`, or `NAMEs` for both sides.
 pub(super) struct Joint {
     /// Without its side.
     pub(super) name: &'static str,
@@ -47,7 +47,7 @@ const fn joint(name: &'static str, bone: Bone, kind: JointKind) -> Joint {
     Joint { name, bone, kind }
 }
 
-/// All joints of the clip format.
+/// Joints that a clip may animate by anatomical angles.
 pub(super) const JOINTS: [Joint; 12] = [
     joint("pelvis", Bone::Sacroiliac, JointKind::Axial),
     joint("waist", Bone::Lumbar, JointKind::Axial),
@@ -76,7 +76,8 @@ impl Joint {
         }
     }
 
-    /// The local rotation, relative to the zero pose, of the left (or middle) bone.
+    /// Returns the rotation of the left (or middle) bone for joint angles in degrees, local and
+    /// relative to the zero pose.
     #[must_use]
     pub(super) fn rotation(&self, angles_deg: [f64; 3]) -> DQuat {
         let [a, b, c] = angles_deg.map(f64::to_radians);
@@ -88,14 +89,14 @@ impl Joint {
         );
         // Each in the world's axes of the zero pose: x to the left, y up, z to the front.
         let in_world = match self.kind {
-            // Turned last, so that a turned head nods along its own line of sight.
+            // The turn is applied last, so that a turned head nods along its own line of sight.
             JointKind::Axial => y(c) * z(-b) * x(a),
             JointKind::Girdle => y(-b) * z(a),
             JointKind::UpperArm => {
                 let down = z(-FRAC_PI_2);
                 DQuat::from_scaled_axis(DVec3::new(-a, 0.0, b)) * y(c) * down
             }
-            // The forearm of the zero pose lies along x with its thumb in front.
+            // In the zero pose, the forearm lies along x with the thumb in front.
             JointKind::Elbow => y(-a),
             // The forearm turns the hand, which then bends towards its own palm.
             JointKind::Wrist => x(-c) * y(b) * z(-a),
@@ -117,7 +118,8 @@ pub(super) fn find(name: &str) -> Option<(&'static Joint, Option<&'static [Side]
     })
 }
 
-/// A name without its side, and the sides that it means.
+/// Splits the name of a joint or track into the bare name and the sides that it addresses; `None`
+/// if it has no side.
 #[must_use]
 pub(super) fn sides_of(name: &str) -> (&str, Option<&'static [Side]>) {
     if let Some(bare) = name.strip_prefix("left_") {
@@ -162,7 +164,7 @@ mod tests {
         pose
     }
 
-    /// From one bone's joint to another's, unit.
+    /// Returns the unit vector from one bone's joint to another's in a pose, world.
     fn line(pose: &Pose, from: Bone, to: Bone) -> DVec3 {
         let skeleton = Skeleton::example();
         let at = |b| world_from_bone(&skeleton, pose, b).translation;
@@ -173,14 +175,26 @@ mod tests {
     fn arms_hang_rise_and_bend_as_written() {
         use Bone::{LElbow, LShoulder, LWrist, RElbow, RShoulder, RWrist};
         let hang = posed(&[("upper_arms", [0.0, 0.0, 0.0])]);
-        assert!(line(&hang, LShoulder, LElbow).y < -0.99);
-        assert!(line(&hang, RShoulder, RElbow).y < -0.99);
+        assert!(
+            line(&hang, LShoulder, LElbow).y < -0.99,
+            "the hanging left upper arm points down"
+        );
+        assert!(
+            line(&hang, RShoulder, RElbow).y < -0.99,
+            "the hanging right upper arm points down"
+        );
         let front = posed(&[("upper_arms", [90.0, 0.0, 0.0])]);
-        assert!(line(&front, RShoulder, RElbow).z > 0.99);
+        assert!(
+            line(&front, RShoulder, RElbow).z > 0.99,
+            "the raised right upper arm points forwards"
+        );
         let side = posed(&[("left_upper_arm", [0.0, 90.0, 0.0])]);
-        assert!(side.rotation(LShoulder).angle_between(DQuat::IDENTITY) < 1e-9);
-        // A bent elbow of a hanging arm points the forearm to the front, of an arm raised to
-        // the front upwards; twist outwards brings the forearm out.
+        assert!(
+            side.rotation(LShoulder).angle_between(DQuat::IDENTITY) < 1e-9,
+            "the left arm raised sideways is the zero pose"
+        );
+        // A bent elbow points the forearm forwards when the arm hangs and upwards when the arm is
+        // raised forwards; outward twist moves the forearm outwards.
         for (arm, want) in [
             ([0.0, 0.0, 0.0], DVec3::Z),
             ([90.0, 0.0, 0.0], DVec3::Y),
@@ -197,7 +211,10 @@ mod tests {
             ("elbows", [70.0, 0.0, 0.0]),
         ]);
         let (l, r) = (line(&both, LElbow, LWrist), line(&both, RElbow, RWrist));
-        assert!((raconteur_base::mirror_vector(l) - r).length() < 1e-9);
+        assert!(
+            (raconteur_base::mirror_vector(l) - r).length() < 1e-9,
+            "the left and right arm mirror each other"
+        );
     }
 
     #[test]
@@ -211,30 +228,63 @@ mod tests {
         };
         let hang = ("left_upper_arm", [0.0, 0.0, 0.0]);
         // The left palm hangs facing right; supinated it faces the front.
-        assert!(palm(&posed(&[hang])).x < -0.98);
-        assert!(palm(&posed(&[hang, ("left_wrist", [0.0, 0.0, 90.0])])).z > 0.98);
+        assert!(
+            palm(&posed(&[hang])).x < -0.98,
+            "the palm of the hanging hand faces the body"
+        );
+        assert!(
+            palm(&posed(&[hang, ("left_wrist", [0.0, 0.0, 90.0])])).z > 0.98,
+            "a wrist turned by 90 degrees faces the palm forwards"
+        );
         // Flexion carries the fingers to the palm's side, deviation to the little finger's.
         let flexed = posed(&[hang, ("left_wrist", [60.0, 0.0, 0.0])]);
-        assert!(line(&flexed, LWrist, LIndex0).x < -0.6);
+        assert!(
+            line(&flexed, LWrist, LIndex0).x < -0.6,
+            "the flexed wrist turns the hand inwards"
+        );
         let aside = posed(&[hang, ("left_wrist", [0.0, 40.0, 0.0])]);
         let plain = line(&posed(&[hang]), LWrist, LIndex0).z;
-        assert!(line(&aside, LWrist, LIndex0).z < plain - 0.4);
+        assert!(
+            line(&aside, LWrist, LIndex0).z < plain - 0.4,
+            "the wrist bent aside turns the hand backwards"
+        );
         let bowed = posed(&[("waist", [40.0, 0.0, 0.0])]);
-        assert!(line(&bowed, Lumbar, Thoracic).z > 0.6);
+        assert!(
+            line(&bowed, Lumbar, Thoracic).z > 0.6,
+            "the bowed trunk leans forwards"
+        );
         let leaning = posed(&[("waist", [0.0, 30.0, 0.0])]);
-        assert!(line(&leaning, Lumbar, Thoracic).x > 0.4);
+        assert!(
+            line(&leaning, Lumbar, Thoracic).x > 0.4,
+            "the trunk leans to the side"
+        );
         let turned = posed(&[("head", [0.0, 0.0, 50.0])]);
         let skull = world_from_bone(&Skeleton::example(), &turned, Skull);
         // The skull's local y points to the front.
-        assert!((rotation_of(&skull) * DVec3::Y).x > 0.7);
+        assert!(
+            (rotation_of(&skull) * DVec3::Y).x > 0.7,
+            "the head tilts to the side"
+        );
         let kick = posed(&[("left_hip", [90.0, 0.0, 0.0])]);
-        assert!(line(&kick, LHip, LKnee).z > 0.98);
+        assert!(
+            line(&kick, LHip, LKnee).z > 0.98,
+            "the kicked leg points forwards"
+        );
         let apart = posed(&[("left_hip", [0.0, 40.0, 0.0])]);
-        assert!(line(&apart, LHip, LKnee).x > 0.5);
+        assert!(
+            line(&apart, LHip, LKnee).x > 0.5,
+            "the spread leg points outwards"
+        );
         let curled = posed(&[("left_knee", [90.0, 0.0, 0.0])]);
-        assert!(line(&curled, LKnee, LSubtalar).z < -0.95);
+        assert!(
+            line(&curled, LKnee, LSubtalar).z < -0.95,
+            "the bent knee moves the shank backwards"
+        );
         let raised = posed(&[("left_shoulder", [20.0, 0.0, 0.0])]);
         let rest = line(&posed(&[]), Bone::LScapula, Bone::LShoulder).y;
-        assert!(line(&raised, Bone::LScapula, Bone::LShoulder).y > rest + 0.2);
+        assert!(
+            line(&raised, Bone::LScapula, Bone::LShoulder).y > rest + 0.2,
+            "the raised shoulder blade lifts the shoulder"
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! Reads the clip format: JSON keyframes, described in `docs/animation.md`.
+//! Reader of the clip format: JSON keyframes, described in `docs/animation.md`.
 
 use raconteur_base::{DQuat, DVec3, Length, Side};
 use raconteur_body::Bone;
@@ -15,7 +15,7 @@ use crate::members::{Members, items};
 const MAX_BYTES: usize = 8 << 20;
 /// The longest clip, seconds.
 const MAX_SECS: f64 = 3600.0;
-/// Most keys of a track.
+/// Maximum number of keys of a track.
 const MAX_KEYS: usize = 1 << 16;
 /// Tolerance within which a loop's first and last key are equal: a rotation within 2°, a place
 /// within 1 cm.
@@ -36,7 +36,7 @@ struct ClipHeader {
     ease: Value,
 }
 
-/// Reads a clip.
+/// Parses a clip in the JSON keyframe format (docs/animation.md).
 ///
 /// # Errors
 /// A sentence that says what is wrong, and in which track.
@@ -253,7 +253,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Key times of a track: its own, else the clip's, else one at the beginning.
+    /// Returns the key times of a track, seconds: its own, otherwise those of the clip, otherwise a
+    /// single key at 0.
     fn times(&self, fields: &Value) -> Result<Vec<f64>, String> {
         let list = value_or_common(&fields["times"], &self.root.times);
         if list.is_null() {
@@ -410,7 +411,8 @@ fn value_or_common<'v>(own: &'v Value, common: &'v Value) -> &'v Value {
     if own.is_null() { common } else { own }
 }
 
-/// A column of numbers: a list of `n`, or one for all.
+/// Returns `n` numbers of a field: a list of `n`, or one number repeated; `default` if the field is
+/// absent.
 fn numbers(fields: &Value, name: &str, n: usize, default: f64) -> Result<Vec<f64>, String> {
     let value = &fields[name];
     if value.is_null() {
@@ -472,7 +474,7 @@ fn rotations(fields: &Value, n: usize) -> Result<Vec<Values>, String> {
     }
 }
 
-/// Hand shapes by their numbers in the dictionary.
+/// Returns the hand shapes that a track names by their numbers in the dictionary, one per key.
 fn shapes(fields: &Value, n: usize) -> Result<Vec<&'static HandShape>, String> {
     let ids = numbers(fields, "shape", n, 0.0)?;
     let shape = |id: &f64| {

@@ -1,16 +1,17 @@
-//! Motion in layers: rotations, the figure's place and its feet, each with the share by which
-//! it covers what lies below.
+//! Motion layers: rotations, the figure's position and its feet, each with the share by which it
+//! covers the layers below.
 //!
-//! Legs are blended by where the feet are as well as by their joints: two layers that both
-//! keep a foot on one spot keep it there while they pass into each other, which blended
-//! joint angles would not.
+//! Legs are blended by foot position in addition to joint angles. Two layers that both plant a foot
+//! on the same spot keep it there during their transition; blended joint angles alone would move
+//! it.
 
 use raconteur_base::{DQuat, DVec3, Side};
 use raconteur_body::Bone;
 
 use super::groups::BoneSet;
 
-/// A foot and its coverage.
+/// Foot of a blended pose: ball position (world), rotation, and the share by which it covers lower
+/// layers, 0 to 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FootWeight {
     /// Position of its ball, world, metres. A foot that rises on its ball stays there while it
@@ -20,7 +21,8 @@ pub(crate) struct FootWeight {
     pub(crate) share: f64,
 }
 
-/// Blend of some layers of a figure. Shares are 0 to 1; a value with share 0 is undefined.
+/// Weighted blend of motion layers of a figure: rotations, root and feet with their shares, 0 to 1.
+/// A value with share 0 is undefined.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BlendedLayers {
     pub(crate) rotations: [DQuat; Bone::COUNT],
@@ -169,14 +171,23 @@ mod tests {
         let mut l = layer(1.0, 1.0);
         l.cover(&layer(0.2, 1.0));
         let (angle, share) = skull(&l);
-        assert!((angle - 0.2).abs() < 1e-9 && (share - 1.0).abs() < 1e-12);
+        assert!(
+            (angle - 0.2).abs() < 1e-9 && (share - 1.0).abs() < 1e-12,
+            "full cover hides the layer below"
+        );
         let mut l = layer(1.0, 1.0);
         l.cover(&layer(0.2, 0.25));
-        assert!((skull(&l).0 - 0.8).abs() < 1e-9);
-        // Over nothing, the value is whole and the share is the layer's.
+        assert!(
+            (skull(&l).0 - 0.8).abs() < 1e-9,
+            "the upper layer alone sets the angle"
+        );
+        // Without a layer below, the value counts fully and the share is that of the layer.
         let mut l = BlendedLayers::EMPTY;
         l.cover(&layer(0.2, 0.25));
-        assert!((skull(&l).0 - 0.2).abs() < 1e-9 && (skull(&l).1 - 0.25).abs() < 1e-12);
+        assert!(
+            (skull(&l).0 - 0.2).abs() < 1e-9 && (skull(&l).1 - 0.25).abs() < 1e-12,
+            "the lower layer keeps its angle and share"
+        );
     }
 
     #[test]
@@ -184,7 +195,10 @@ mod tests {
         for (share, angle, cover) in [(0.0, 1.0, 0.5), (1.0, 0.2, 1.0)] {
             let mut l = layer(1.0, 0.5);
             l.fade(&layer(0.2, 1.0), share);
-            assert!((skull(&l).0 - angle).abs() < 1e-9 && (skull(&l).1 - cover).abs() < 1e-12);
+            assert!(
+                (skull(&l).0 - angle).abs() < 1e-9 && (skull(&l).1 - cover).abs() < 1e-12,
+                "the fade has the expected angle and cover"
+            );
         }
     }
 
@@ -192,6 +206,9 @@ mod tests {
     fn a_mean_weighs_its_parts() {
         let mut l = layer(1.0, 0.75);
         l.add_bone(Bone::Skull, DQuat::IDENTITY, 0.25);
-        assert!((skull(&l).0 - 0.75).abs() < 1e-9 && (skull(&l).1 - 1.0).abs() < 1e-12);
+        assert!(
+            (skull(&l).0 - 0.75).abs() < 1e-9 && (skull(&l).1 - 1.0).abs() < 1e-12,
+            "the mean weighs its parts and covers fully"
+        );
     }
 }

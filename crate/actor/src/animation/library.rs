@@ -1,4 +1,4 @@
-//! Animations by name.
+//! Animation library, addressed by name.
 
 use std::sync::Arc;
 
@@ -8,7 +8,8 @@ use super::clip::Clip;
 use super::keyframes::read_clip;
 use crate::parameters::ParameterClip;
 
-/// The animations that a story may use. Copies share the clips.
+/// Animations that a story may use, by name: clips of bones and animations of control parameters.
+/// Copies share the data.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     clips: Vec<(String, Arc<Clip>)>,
@@ -43,8 +44,8 @@ impl Library {
         Ok(())
     }
 
-    /// The animation of control parameters of a name: its own, or that of its file without
-    /// folders and ending.
+    /// Returns an animation of control parameters by its name, or by the name of its file without
+    /// folders and extension; `None` if there is none.
     #[must_use]
     pub fn parameters(&self, name: &str) -> Option<Arc<ParameterClip>> {
         let own = self.parameters.iter().find(|(n, _)| n == name);
@@ -52,7 +53,7 @@ impl Library {
         own.or_else(of_file).map(|(_, clip)| Arc::clone(clip))
     }
 
-    /// The animation of a name. `hand-shape-0` to `hand-shape-60` are always there.
+    /// Returns a clip by name, or `None`. `hand-shape-0` to `hand-shape-60` always exist.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<Arc<Clip>> {
         if let Some((_, clip)) = self.clips.iter().find(|(n, _)| n == name) {
@@ -63,7 +64,7 @@ impl Library {
     }
 }
 
-/// The name of a file without folders and ending.
+/// Returns a file name without folders and extension.
 #[must_use]
 pub fn stem(path: &str) -> &str {
     let file = path.rsplit('/').next().unwrap_or(path);
@@ -82,7 +83,10 @@ mod tests {
         let mut library = Library::default();
         let text = r#"{"seconds": 1, "parameters": {"Joy": {"times": [0], "values": [1]}}}"#;
         assert_eq!(library.add_parameters("faces/wink.json", text), Ok(()));
-        assert!(library.add_parameters("faces/grin.json", "{}").is_err());
+        assert!(
+            library.add_parameters("faces/grin.json", "{}").is_err(),
+            "an incomplete parameter animation is rejected"
+        );
         for (name, is_there) in [
             ("wink", true),
             ("faces/wink.json", true),

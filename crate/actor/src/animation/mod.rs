@@ -1,13 +1,12 @@
 //! Deterministic expression (GEVH 3.2): animation players that combine keyframes.
 //!
-//! A [`Clip`] says how joints move over its own time, on any figure. [`PlayerScript`] says
-//! which players there are, what lies on the stacks of their tracks, and how tracks are
-//! weighed; [`Players`] makes both ready for one figure and evaluates any time. Nothing is
-//! kept between evaluations: the time at which a clip is, is the integral of its track's
-//! speed, which is piecewise linear.
+//! A [`Clip`] describes the joint motion over its own time, for any figure. [`PlayerScript`]
+//! defines the players, the animations on the stacks of their tracks and the weights of the tracks.
+//! [`Players`] prepares both for one figure and evaluates any time. Evaluations keep no state: the
+//! time in a clip is the integral of its track's speed, which is piecewise linear.
 //!
-//! What no animation moves stays with idle life and gestures, which lie below; gestures lie
-//! above where they move an arm.
+//! Joints without animation stay with idle life and gestures, which are the layers below; gestures
+//! are above where they move an arm.
 
 mod bound;
 mod clip;

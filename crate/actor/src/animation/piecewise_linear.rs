@@ -1,8 +1,9 @@
-//! A property over time: constant, with straight transitions, and its integral.
+//! Property over time: constant values with linear transitions, and its integral.
 
 use raconteur_base::curve::{last_at_or_before, ramp};
 
-/// A piecewise linear value.
+/// Piecewise linear function of time with its integral; holds properties of animation tracks such
+/// as speed and weight.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PiecewiseLinear {
     /// Start times of the transitions.
@@ -24,12 +25,12 @@ impl LinearSegment {
         self.from + (self.to - self.from) * ramp(from_secs, self.to_secs, t)
     }
 
-    /// Integral from the beginning of the piece.
+    /// Returns the integral from the start of the segment (`from_secs`) to time `t`.
     fn integral(&self, from_secs: f64, t: f64) -> f64 {
         let sloping = (t.min(self.to_secs) - from_secs).max(0.0);
         let mean = 0.5 * (self.from + self.value(from_secs, t.min(self.to_secs)));
         let level = t - from_secs - sloping;
-        // Before time 0 the first value holds.
+        // The first value applies before time 0.
         if t < from_secs {
             return self.from * level;
         }
@@ -38,7 +39,7 @@ impl LinearSegment {
 }
 
 impl PiecewiseLinear {
-    /// The same value always.
+    /// Creates a function with the same value at all times.
     pub(crate) fn constant(value: f64) -> Self {
         Self {
             from: vec![0.0],
@@ -56,13 +57,13 @@ impl PiecewiseLinear {
         (self.from[i], &self.segments[i])
     }
 
-    /// The value at a time.
+    /// Returns the value at time `t`, seconds.
     pub(crate) fn sample(&self, t: f64) -> f64 {
         let (from_secs, piece) = self.piece(t);
         piece.value(from_secs, t)
     }
 
-    /// The integral from time 0 to `t`.
+    /// Returns the integral from time 0 to `t`, seconds.
     pub(crate) fn integral(&self, t: f64) -> f64 {
         let (from_secs, piece) = self.piece(t);
         piece.before + piece.integral(from_secs, t)
@@ -145,7 +146,10 @@ mod tests {
             (r.sample(1.0), r.sample(2.25), r.sample(9.0)),
             (1.0, 1.5, -1.0)
         );
-        assert!((r.sample(2.5) - 2.0).abs() < 1e-12 && (r.sample(3.5) - 1.0).abs() < 1e-12);
+        assert!(
+            (r.sample(2.5) - 2.0).abs() < 1e-12 && (r.sample(3.5) - 1.0).abs() < 1e-12,
+            "the samples between keys are linear"
+        );
         assert_eq!(r.integral(-1.0), -1.0);
     }
 

@@ -1,12 +1,12 @@
-//! Where a clip is when it has played for so long.
+//! Mapping from the played time to the time in a clip.
 
-/// Playback mode of an animation (GEVH D.3.18).
+/// Playback mode of an animation: direction and number of repetitions (GEVH D.3.18).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Playback {
-    /// Over and over.
+    /// Repeats forwards without end.
     #[default]
     Loop,
-    /// Over and over backwards.
+    /// Repeats backwards without end.
     LoopReverse,
     /// Forwards and backwards in turn.
     PingPong,
@@ -20,7 +20,8 @@ pub enum Playback {
     TemporaryIterationsReverse(u32),
 }
 
-/// A position in a clip, seconds from its beginning.
+/// Playback position in a clip, seconds from its beginning, with the blend across the seam of a
+/// repetition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ClipTime {
     pub(crate) at_secs: f64,
@@ -94,7 +95,7 @@ impl Playback {
                 return still(turned(length_secs));
             }
         }
-        // What runs backwards enters a pass at its end and comes from the beginning of another.
+        // Backward playback enters a pass at its end and comes from the beginning of another.
         let into = played_secs.abs().rem_euclid(length_secs);
         let (at, left) = if ahead {
             (into, length_secs)
@@ -140,7 +141,7 @@ mod tests {
         ] {
             assert_eq!(places(style), [2.0, 1.5, 1.0, 1.75, 0.0, 0.0]);
         }
-        // Nothing is less than once, and a stance has one place.
+        // The minimum is one iteration, and a stance has one position.
         assert_eq!(Playback::Iterations(0).iterations(), Some(1));
         assert_eq!(Playback::Loop.place(3.0, 0.0, true).at_secs, 0.0);
         assert_eq!(Playback::Iterations(1).place(-1.0, 2.0, true).at_secs, 0.0);
@@ -152,7 +153,10 @@ mod tests {
         assert_eq!(style.place(0.1, 2.0, false).seam, None);
         let at = |t| style.place(t, 2.0, false).seam;
         assert_eq!(at(2.0), Some((2.0, 1.0)));
-        assert!(at(2.1).is_some_and(|(end, share)| end == 2.0 && share > 0.5 && share < 1.0));
+        assert!(
+            at(2.1).is_some_and(|(end, share)| end == 2.0 && share > 0.5 && share < 1.0),
+            "the seam blends into the end of the clip"
+        );
         assert_eq!(at(2.4), None);
         assert_eq!(style.place(2.0, 2.0, true).seam, None);
         // Backwards, too: from the beginning over to the end.
@@ -163,7 +167,8 @@ mod tests {
         assert!(
             back(-1e-9)
                 .seam
-                .is_some_and(|(at, share)| at == 0.0 && share > 0.99)
+                .is_some_and(|(at, share)| at == 0.0 && share > 0.99),
+            "backward playback blends at the start of the clip"
         );
     }
 }

@@ -1,4 +1,4 @@
-//! Animation players made ready for a figure, and their effect at any time.
+//! Animation players prepared for a figure, and their effect at any time.
 
 use std::sync::Arc;
 
@@ -29,7 +29,8 @@ const SPARE: f64 = 0.0035;
 /// A foot this high is not stood on, share of stature.
 const LIFTED: f64 = 0.03;
 
-/// Animation players over a whole story, for one figure.
+/// Animation players of a script over a whole story, prepared for one figure; computes the pose
+/// that they give at any time.
 #[derive(Clone, Debug)]
 pub struct Players {
     schedule: Schedule,
@@ -43,7 +44,8 @@ struct StandingPose {
     legs: [[DQuat; 3]; 2],
 }
 
-/// Pose of a figure from its players at one time, for the following steps.
+/// Pose of a figure from its animation players at one time; later steps (gestures, gaze, speech)
+/// build on it.
 #[derive(Clone, Copy, Debug)]
 pub struct AnimatedPose {
     layers: BlendedLayers,
@@ -146,7 +148,7 @@ impl Players {
             let i = side.index();
             let (leg, foot) = (&self.body.legs[i], &layers.feet[i]);
             let own = LEG_BONES[i].map(|b| pose.rotation(b));
-            // A leg of which a player moves single joints only is not made to stand.
+            // A leg is not planted if a player moves only single joints of it.
             if LEG_BONES[i].iter().any(|b| touched(*b)) && foot.share <= 0.0 {
                 return None;
             }
@@ -157,13 +159,13 @@ impl Players {
             let turned = turned.slerp(foot.rotation, foot.share);
             Some((self.body.ankle(i, ball, turned), turned, knee))
         });
-        // A leg that stretches to its end snaps; the part that is held back fades in with the players.
+        // A leg that stretches to its end snaps, so the withheld part fades in with the players.
         let cover = [layers.shares[Bone::Sacroiliac.index()], layers.root_share]
             .into_iter()
             .chain(layers.feet.iter().map(|f| f.share))
             .fold(0.0, f64::max);
         let mut spare_m = [0.0; 2];
-        // The figure sinks as far as the feet that it stands on need.
+        // The figure sinks as far as its planted feet require.
         let mut short: f64 = 0.0;
         for (i, foot) in feet.iter().enumerate() {
             let leg = &self.body.legs[i];
@@ -200,7 +202,7 @@ impl Players {
         in_order(orders, t, |order, share| {
             let mut layers = BlendedLayers::EMPTY;
             anything |= !order.is_empty();
-            // From the one on top down, as far as anything can be seen.
+            // The loop runs from the top player down to the first one that covers all others.
             for &player in order.iter().rev() {
                 let plan = &self.schedule.players[player];
                 let mut below = self.player(skeleton, plan, t, layers.covered());
@@ -263,7 +265,7 @@ impl Players {
         if plan.kind == PlayerKind::BodyGroup {
             return 1.0;
         }
-        // A layer of no weight does not hold up the others while they fade.
+        // A layer with zero weight does not block the others while they fade.
         let (mut sum, mut most, mut counted) = (0.0, 0.0_f64, 0.0_f64);
         for track in &plan.tracks {
             let mut heard = 0.0;

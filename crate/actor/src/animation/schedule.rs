@@ -1,5 +1,4 @@
-//! From commands to a schedule: which players there are, what plays on each track, and
-//! how the one passes into the next.
+//! Schedule of the commands: the players, the animations of each track and their transitions.
 
 use raconteur_base::order::sort_by_number;
 
@@ -19,7 +18,7 @@ pub const AT_ONCE_SECS: f64 = 0.08;
 /// Longest cross-fade, seconds.
 const MAX_SWAP_SECS: f64 = 60.0;
 
-/// A value that is active from a start time on and fades in.
+/// Value that is active from a start time on and fades in over `fade_secs`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Interval<T> {
     pub(crate) from_secs: f64,
@@ -27,7 +26,7 @@ pub(crate) struct Interval<T> {
     pub(crate) what: T,
 }
 
-/// Entries, in order of time.
+/// Values over time, each active from its start on; sorted by start time.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Intervals<T>(Vec<Interval<T>>);
 
@@ -57,7 +56,7 @@ impl<T> Intervals<T> {
     }
 }
 
-/// An animation that is being played.
+/// Animation at the top of a track's stack: the clip, its start time and its playback mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PlayingClip {
     /// Index of its clip.
@@ -67,7 +66,8 @@ pub(crate) struct PlayingClip {
     pub(crate) style: Playback,
 }
 
-/// One track of a player.
+/// Track of an animation player over the whole story: its bones, speed, weight, enabled state and
+/// the clips on its stack.
 #[derive(Clone, Debug)]
 pub(crate) struct Track {
     pub(crate) bones: BoneSet,
@@ -89,14 +89,15 @@ enum ResolvedOperation {
     Clear,
 }
 
-/// A player over the whole story.
+/// Animation player over the whole story: its kind and its tracks.
 #[derive(Clone, Debug)]
 pub(crate) struct PlayerPlan {
     pub(crate) kind: PlayerKind,
     pub(crate) tracks: Vec<Track>,
 }
 
-/// Everything that players do.
+/// Resolved commands of all animation players: players, their order of priority and the clips they
+/// use.
 #[derive(Clone, Debug)]
 pub(crate) struct Schedule {
     pub(crate) players: Vec<PlayerPlan>,
@@ -179,7 +180,7 @@ impl Reader<'_> {
             PlayerCommand::Configure { smooth, swap_secs } => {
                 self.smooth = smooth.unwrap_or(self.smooth);
                 if let Some(secs) = swap_secs.filter(|s| s.is_finite()) {
-                    // Nothing changes faster than at once.
+                    // `AT_ONCE_SECS` limits the fastest change.
                     self.swap_secs = secs.clamp(AT_ONCE_SECS, MAX_SWAP_SECS);
                 }
             }

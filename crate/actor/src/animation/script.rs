@@ -1,21 +1,21 @@
-//! What a script asks of animation players (GEVH 3.2): plain commands at their times.
+//! Commands of a script to animation players (GEVH 3.2), as plain data with their times.
 
 use super::groups::BoneSet;
 use super::playback::Playback;
 
-/// Method by which a player combines its tracks.
+/// Kind of an animation player: defines its tracks and how they are combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlayerKind {
     /// The weighted mean of a number of layers (GEVH 3.2.1).
     Multiple(usize),
-    /// One animation for each body group (GEVH 3.2.2).
+    /// One track for each default body group (GEVH 3.2.2).
     BodyGroup,
     /// Two stances, tracks 0 and 1, and a blend: the weight of track 1 (GEVH 3.2.3). A clip is
     /// frozen at its beginning.
     Pose,
 }
 
-/// A property of a track.
+/// Property of a track that a script can change over time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Property {
     /// Playback speed, 1 as recorded; negative ones play backwards.
@@ -26,7 +26,7 @@ pub enum Property {
     Enable,
 }
 
-/// An operation on the stacks of tracks.
+/// Operation on the stack of animations of a track; the top animation plays.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Operation {
     /// Puts an animation, by name, on top.
@@ -39,7 +39,7 @@ pub enum Operation {
     Clear,
 }
 
-/// A track of a player.
+/// Reference to a track of an animation player, by body group or by layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrackRef {
     /// A body group, by its index in [`super::BODY_GROUPS`].
@@ -48,11 +48,11 @@ pub enum TrackRef {
     Layer(usize),
 }
 
-/// Some tracks of a player; `None` means all.
+/// Tracks of an animation player that a command addresses; `None` means all.
 pub type Tracks = Option<Vec<TrackRef>>;
 
-/// A command of a script to the animation players. Without a name it addresses the player added
-/// without a name, else the first one.
+/// Command of a script to the animation players. Without a player name it addresses the unnamed
+/// player, otherwise the first one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlayerCommand {
     /// Sets the transitions between animations from here on; `None` keeps a setting.
@@ -64,7 +64,8 @@ pub enum PlayerCommand {
     },
     /// Adds a player; with `exclusive`, it replaces all others.
     Add {
-        /// Its name, empty for the one without. A player of the same name is replaced.
+        /// Name of the player, empty for the unnamed one. It replaces an existing player of the
+        /// same name.
         name: String,
         /// Method by which it combines its tracks.
         kind: PlayerKind,
@@ -96,7 +97,7 @@ pub enum PlayerCommand {
         tracks: Tracks,
         /// Property to set.
         property: Property,
-        /// Its new value.
+        /// New value of the property.
         value: f64,
         /// Transition time, seconds.
         duration_secs: f64,
@@ -112,24 +113,24 @@ pub enum PlayerCommand {
     },
 }
 
-/// All commands of a script to animation players, in any order. Of two commands at one time the
-/// later in the list is applied later.
+/// All commands of a script to the animation players with their times, in any order. Simultaneous
+/// commands apply in list order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PlayerScript {
     /// Story time in seconds, and the command.
     pub commands: Vec<(f64, PlayerCommand)>,
 }
 
-/// Reason why a command has no effect, or less than requested.
+/// Report of a command that has no effect, or a smaller one than requested, with the reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CommandProblem {
-    /// Its index in [`PlayerScript::commands`].
+    /// Index of the command in [`PlayerScript::commands`].
     pub command: usize,
     /// Kind of the problem.
     pub kind: CommandProblemKind,
 }
 
-/// Kind of problem with a command.
+/// Reason why a command to an animation player fails: unknown player, track or clip.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CommandProblemKind {
     /// No player of this name, or none at all, exists at the time.

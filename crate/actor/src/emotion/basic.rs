@@ -1,21 +1,21 @@
 //! The six basic expressions (Ekman; F&H section 4.4.3).
 //!
-//! Which muscles take part follows the prototypes of the Facial Action Coding System (Ekman &
+//! The selection of muscles follows the prototypes of the Facial Action Coding System (Ekman &
 //! Friesen 1978, Facial Action Coding System, Consulting Psychologists Press; Ekman, Friesen &
 //! Hager 2002, FACS Investigator's Guide, chapter 12) and of EMFACS (Friesen & Ekman 1983,
-//! unpublished manual, University of California, San Francisco), each action unit (AU) done by
-//! the muscles that the FACS manual gives for it. How much each contracts is *designed*: about
-//! as in a strong, not an extreme display, which leaves room for stronger ones.
+//! unpublished manual, University of California, San Francisco). Each action unit (AU) uses the
+//! muscles that the FACS manual specifies for it. The contractions are *designed*: about those of a
+//! strong, not an extreme display, which leaves room for stronger ones.
 
 use raconteur_body::face::Muscle as M;
 use raconteur_speech::emotion::EmotionPoint;
 
 use crate::parameters::FaceControl;
 
-/// Number of basic emotions.
+/// Number of basic emotions (Ekman; F&H section 4.4.3).
 pub const BASICS: usize = 6;
 
-/// A basic emotion, in the order of their angles on the disc of activation and evaluation.
+/// Basic emotion (Ekman), ordered by its angle on the activation-evaluation disc (F&H section 4.4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(usize)]
 pub enum BasicEmotion {
@@ -33,7 +33,8 @@ pub enum BasicEmotion {
     Sadness,
 }
 
-/// A share of a control in percent. Values of the left side hold for the right as well.
+/// Contribution of an expression to one face control, percent. Values of the left side apply to the
+/// right as well.
 pub(super) type Share = (FaceControl, i8);
 
 pub(super) const fn m(muscle: M, percent: i8) -> Share {
@@ -120,7 +121,7 @@ const SADNESS: &[Share] = &[
 ];
 
 impl BasicEmotion {
-    /// All, by their angles.
+    /// All basic emotions, ordered by their angle on the disc of activation and evaluation.
     pub const ALL: [Self; BASICS] = [
         Self::Joy,
         Self::Surprise,
@@ -130,7 +131,7 @@ impl BasicEmotion {
         Self::Sadness,
     ];
 
-    /// Its word in the table of F&H (section 4.4.3 names the closest correlates).
+    /// Returns the closest word in the emotion table of F&H (section 4.4.3).
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

@@ -1,6 +1,6 @@
-//! From a place in the space of emotions to what it takes of each basic expression: by the
-//! disc of activation and evaluation (F&H equations 4.6 to 4.10), or by the sphere that has
-//! power as well, which F&H section 4.4.4 proposes.
+//! Mapping from a point in the emotion space to the weights of the basic expressions: by the disc
+//! of activation and evaluation (F&H equations 4.6 to 4.10), or by the sphere that also includes
+//! power, which F&H section 4.4.4 proposes.
 
 use raconteur_base::ops;
 use raconteur_base::{DVec3, Length, curve::smooth};
@@ -10,24 +10,25 @@ use super::basic::{BASICS, BasicEmotion};
 use super::expression::Expression;
 use super::look::{self, BaseExpression, LOOKS};
 
-/// In which space basic emotions are neighbours.
+/// Emotion space in which neighbouring basic emotions are blended into an expression.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum EmotionSpace {
     /// Activation and evaluation (F&H section 4.4.3).
     Disc,
-    /// With power (F&H section 4.4.4).
+    /// Sphere of activation, evaluation and power (F&H section 4.4.4).
     #[default]
     Sphere,
 }
 
-/// An emotion: its place in the emotion space, its word, if any, and its blend.
+/// Emotion to express: its position in the emotion space, its word, if any, and the space used to
+/// blend its expression.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Affect {
     /// Place in the emotion space.
     pub place: EmotionPoint,
     /// Its word in [`raconteur_speech::emotion::WORDS`], which may have an expression of its own.
     pub word: Option<&'static str>,
-    /// In which space its expression is blended of the basic ones.
+    /// Space in which the expression is blended from the basic ones.
     pub space: EmotionSpace,
 }
 
@@ -63,18 +64,18 @@ const FAR: f64 = 0.3;
 /// so together they count as one. Designed.
 const COUNTS: [f64; BASICS] = [1.0, 1.0, 0.5, 0.5, 1.0, 1.0];
 
-/// Weight of each base expression in an expression, indexed by [`BaseExpression::ALL`]: the basic
-/// ones first, by [`BasicEmotion::ALL`].
+/// Weights of the base expressions in an expression, indexed by [`BaseExpression::ALL`]: the basic
+/// ones first, in the order of [`BasicEmotion::ALL`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ExpressionWeights {
-    /// By muscles that have no antagonist, and by all else.
+    /// Weights for muscles without antagonists and for all other controls.
     pub free: [f64; LOOKS],
-    /// By muscles that have antagonists, before they are set against each other.
+    /// Weights for muscles with antagonists, before opposing muscles are balanced.
     pub bound: [f64; LOOKS],
 }
 
-/// Angle on the disc, radians from full evaluation towards full activation, and distance
-/// from its middle.
+/// Returns polar coordinates on the activation-evaluation disc: the angle from full evaluation
+/// towards full activation, radians, and the distance from the centre.
 #[must_use]
 pub fn polar(place: EmotionPoint) -> [f64; 2] {
     [
@@ -84,8 +85,8 @@ pub fn polar(place: EmotionPoint) -> [f64; 2] {
 }
 
 impl ExpressionWeights {
-    /// A basic emotion scaled by the ratio of distances from the middle (F&H equations 4.6
-    /// and 4.7).
+    /// Returns one basic emotion, scaled by the ratio of distances from the centre of the disc (F&H
+    /// equations 4.6 and 4.7).
     #[must_use]
     pub fn scaled(basic: BasicEmotion, ratio: f64) -> Self {
         let mut mixture = Self::default();
@@ -94,9 +95,9 @@ impl ExpressionWeights {
         mixture
     }
 
-    /// Between two basic emotions, as printed (F&H equations 4.8 to 4.10). `share` is that of
-    /// the second, 0 to 1, by the angles: (ω − ω₁) / (ω₂ − ω₁). `ratios` are the distances
-    /// from the middle by those of the two.
+    /// Blends two basic emotions as printed in F&H (equations 4.8 to 4.10). `share` of the second,
+    /// 0 to 1: (ω − ω₁) / (ω₂ − ω₁) by angles; `ratios`: distances from the centre relative to each
+    /// emotion's own.
     ///
     /// Muscles with antagonists take the plain sums of equation 4.10 whatever the share: they
     /// jump where another basic emotion becomes a neighbour. [`Mixture::on_disc`] mends that.
@@ -183,7 +184,7 @@ impl ExpressionWeights {
     /// sphere; on the disc every emotion is blended from the six basic ones by its place, as in
     /// F&H.
     #[must_use]
-    pub fn perceived_weights(affect: Affect) -> Self {
+    pub fn from_affect(affect: Affect) -> Self {
         let looks = affect.word.and_then(look::of_word);
         match looks.filter(|_| affect.space == EmotionSpace::Sphere) {
             Some(looks) => {

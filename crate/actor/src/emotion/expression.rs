@@ -1,5 +1,5 @@
-//! An expression: what each muscle and each direct parameter does, and which of them pull
-//! against each other (F&H table 4.6).
+//! Expression: the value of each muscle and each direct parameter, with the antagonists (F&H table
+//! 4.6).
 
 use raconteur_body::face::{ANTAGONISTS, FaceControls, Muscle as M};
 
@@ -16,10 +16,10 @@ pub fn has_antagonist(dial: FaceControl) -> bool {
         .any(|m| FaceControl::from_muscle(*m) == dial)
 }
 
-/// The value of each dial, −1 to 1; muscles 0 to 1.
+/// Facial expression: the value of each face control, −1 to 1; muscles 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expression {
-    /// In the order of [`Dial::index`].
+    /// Control values in the order of [`FaceControl::index`].
     pub values: [f64; DIALS],
 }
 
@@ -89,13 +89,13 @@ impl Expression {
         self.values.iter_mut().for_each(|v| *v = compress(*v));
     }
 
-    /// The value of a dial.
+    /// Returns the value of one face control, −1 to 1.
     #[must_use]
     pub fn value(&self, dial: FaceControl) -> f64 {
         self.values[dial.index()]
     }
 
-    /// Adds it to the controls of a face.
+    /// Adds the expression to the controls of a face.
     pub fn add(&self, controls: &mut FaceControls) {
         for (i, value) in self.values.iter().enumerate() {
             if *value != 0.0
@@ -124,10 +124,13 @@ mod tests {
             settled.settle();
             settled.limit();
             assert_eq!(settled, face, "{basic:?}");
-            // What moves the eyes is said elsewhere.
+            // Another module controls the eyes.
             for i in 0..DIALS {
                 let dial = FaceControl::from_index(i).expect("a dial");
-                assert!(!dial.name().starts_with("Gaze") || face.value(dial) == 0.0);
+                assert!(
+                    !dial.name().starts_with("Gaze") || face.value(dial) == 0.0,
+                    "basic expressions leave the gaze at rest"
+                );
             }
         }
     }
@@ -163,7 +166,10 @@ mod tests {
             assert!(value > before && value < 1.0, "{asked}");
             assert!(value - before < 1.001e-3, "{asked}");
             assert_eq!(compress(-asked), -value);
-            assert!(asked > 0.95 || value == asked);
+            assert!(
+                asked > 0.95 || value == asked,
+                "a requested value within range is kept"
+            );
             before = value;
         }
     }
@@ -177,9 +183,15 @@ mod tests {
         set(&mut face, M::RisoriusLeft, 0.3);
         set(&mut face, M::RisoriusRight, 0.1);
         face.settle();
-        // Sums 0.8 and 0.4: half of the first is left, nothing of the second.
-        assert!((face.values[M::OrbicularisOrisUpper.index()] - 0.3).abs() < 1e-12);
-        assert!((face.values[M::OrbicularisOrisLower.index()] - 0.1).abs() < 1e-12);
+        // The sums are 0.8 and 0.4: half of the first remains, nothing of the second.
+        assert!(
+            (face.values[M::OrbicularisOrisUpper.index()] - 0.3).abs() < 1e-12,
+            "the upper orbicularis oris keeps the stronger value"
+        );
+        assert!(
+            (face.values[M::OrbicularisOrisLower.index()] - 0.1).abs() < 1e-12,
+            "the lower orbicularis oris keeps the stronger value"
+        );
         assert_eq!(face.values[M::RisoriusLeft.index()], 0.0);
     }
 }

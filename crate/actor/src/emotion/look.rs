@@ -1,21 +1,21 @@
-//! Expressions that a word has of its own, where its display is known beyond a
-//! blend of the six basic ones can show.
+//! Own expressions of words whose known display exceeds a blend of the six basic expressions.
 //!
-//! Which units take part, and where head and gaze go, has a source at each; how much each muscle
-//! contracts is *designed*, as it is of the six: a clear, not an extreme display.
+//! Each entry gives the source of its action units and of its head and gaze directions. The
+//! contractions are *designed*, as for the six basic expressions: a clear, not an extreme display.
 
 use raconteur_body::face::Muscle as M;
 
 use super::basic::{BASICS, BasicEmotion, Share, m};
 use crate::parameters::FaceControl;
 
-/// Number of base expressions.
+/// Number of base expressions: six of basic emotions, nine of single words.
 pub const LOOKS: usize = BASICS + 9;
 
-/// A base expression: that of a basic emotion, or a word's own.
+/// Base expression from which facial expressions are blended: of a basic emotion, or specific to
+/// one emotion word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BaseExpression {
-    /// One of the six.
+    /// Expression of one of the six basic emotions.
     Basic(BasicEmotion),
     /// Ashamed.
     Shame,

@@ -1,6 +1,6 @@
-//! Emotion in the face (F&H section 4.4): six basic expressions, all others between them by
-//! their place in the space of activation, evaluation and power, but for words with a look of
-//! their own; and how they come and go.
+//! Emotion in the face (F&H section 4.4): six basic expressions; all others between them by their
+//! position in the space of activation, evaluation and power, except words with an own expression;
+//! onset and decay.
 
 mod basic;
 mod blend;

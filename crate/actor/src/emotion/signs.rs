@@ -1,5 +1,5 @@
-//! What emotions do besides the muscles: blood in the skin, gaze, head, breath, and how much
-//! one moves at all (F&H section 4.4.4).
+//! Emotional signs other than muscles: blood in the skin, gaze, head, breath and the amount of
+//! motion (F&H section 4.4.4).
 
 use raconteur_base::{DVec3, Length};
 use raconteur_speech::emotion::{self, EmotionPoint};
@@ -8,10 +8,11 @@ use super::blend::{Affect, EmotionSpace, nearness, vector};
 use super::expression::compress;
 use super::look::{self, BaseExpression};
 
-/// Signs of an emotion; all 0 when one is calm.
+/// Signs of an emotion other than facial muscles: blush, gaze, head, breathing and liveliness; all
+/// 0 when calm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EmotionSigns {
-    /// More (positive) or less blood in the skin than usual, −1 to 1.
+    /// Change of the blood in the skin, −1 (pale) to 1 (flushed); 0 as usual.
     pub blush: f64,
     /// The gaze downwards, radians.
     pub gaze_down_rad: f64,
@@ -280,21 +281,31 @@ mod tests {
         assert!(
             signs_of_word("shame").blush > 0.5
                 && signs_of_word("joy").blush > 0.1
-                && signs_of_word("anger").blush > 0.3
+                && signs_of_word("anger").blush > 0.3,
+            "shame, joy and anger blush"
         );
-        assert!(signs_of_word("fear").blush < -0.3);
+        assert!(signs_of_word("fear").blush < -0.3, "fear pales");
         assert!(
             signs_of_word("sorry-for").gaze_down_rad > 0.1
-                && signs_of_word("fears-confirmed").gaze_down_rad > 0.1
+                && signs_of_word("fears-confirmed").gaze_down_rad > 0.1,
+            "sorry-for and fears-confirmed lower the gaze"
         );
-        assert!(felt("pride").head_down_rad < -0.3 && felt("remorse").head_down_rad > 0.1);
-        assert!(felt("shame").gaze_down_rad > 0.3 && felt("shame").head_down_rad > 0.2);
+        assert!(
+            felt("pride").head_down_rad < -0.3 && felt("remorse").head_down_rad > 0.1,
+            "pride raises and remorse lowers the head"
+        );
+        assert!(
+            felt("shame").gaze_down_rad > 0.3 && felt("shame").head_down_rad > 0.2,
+            "shame lowers the gaze and the head"
+        );
         assert!(
             felt("panic").blush < signs_of_word("fear").blush
-                && felt("anxiety").blush > signs_of_word("fear").blush
+                && felt("anxiety").blush > signs_of_word("fear").blush,
+            "panic pales more and anxiety less than fear"
         );
         assert!(
-            signs_of_word("distress").liveliness < -0.3 && signs_of_word("anger").liveliness > 0.3
+            signs_of_word("distress").liveliness < -0.3 && signs_of_word("anger").liveliness > 0.3,
+            "distress slows and anger enlivens"
         );
     }
 }

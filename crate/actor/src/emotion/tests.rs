@@ -39,7 +39,7 @@ fn printed_on_disc(angle_deg: f64, radius: f64) -> Expression {
     let ends = BasicEmotion::ALL.map(|b| polar(b.place()));
     let turn = |from: f64, to: f64| (to - from).rem_euclid(360.0);
     let angles = ends.map(|end| end[0].to_degrees());
-    // The neighbour passed last is the one from which the least turn leads here.
+    // The last passed neighbour has the smallest turn to this angle.
     let passed = angles.map(|from| turn(from, angle_deg));
     let first = (0..BASICS)
         .reduce(|a, b| if passed[b] < passed[a] { b } else { a })
@@ -166,7 +166,10 @@ fn antagonists_never_both_win_and_values_stay_in_range() {
     let check = |face: &Expression| {
         for (one, other) in ANTAGONISTS {
             let wins = |set: &[Muscle]| set.iter().any(|m| face.values[m.index()] > 0.0);
-            assert!(!(wins(one) && wins(other)));
+            assert!(
+                !(wins(one) && wins(other)),
+                "antagonists do not win simultaneously"
+            );
         }
         for (i, value) in face.values.iter().enumerate() {
             let dial = FaceControl::from_index(i).expect("a dial");
@@ -199,18 +202,30 @@ fn midway_between_two_the_equations_stand_as_printed() {
 
 #[test]
 fn the_equations_as_printed_by_hand() {
-    // Joy and sadness in the middle, each at its own distance from the middle of the disc:
-    // zygomaticus 0.8 against depressor anguli 0.6, mentalis 0.65 against nothing.
+    // Joy and sadness mixed, each at its own distance from the centre of the disc: zygomaticus 0.8
+    // against depressor anguli 0.6, mentalis 0.65 against nothing.
     let face =
         ExpressionWeights::printed([BasicEmotion::Sadness, BasicEmotion::Joy], 0.5, [1.0, 1.0])
             .expression();
     let value = |m: Muscle| face.values[m.index()];
-    assert!((value(Muscle::ZygomaticusMajorLeft) - 0.2).abs() < 1e-12);
+    assert!(
+        (value(Muscle::ZygomaticusMajorLeft) - 0.2).abs() < 1e-12,
+        "the zygomaticus follows the printed equation"
+    );
     assert_eq!(value(Muscle::DepressorAnguliLeft), 0.0);
-    assert!((value(Muscle::MentalisRight) - 0.65).abs() < 1e-12);
+    assert!(
+        (value(Muscle::MentalisRight) - 0.65).abs() < 1e-12,
+        "the mentalis follows the printed equation"
+    );
     // Without antagonist: the mean of 0.12 and 0.85, and half of 0.5.
-    assert!((value(Muscle::OrbicularisOculiLeft) - 0.485).abs() < 1e-12);
-    assert!((value(Muscle::CorrugatorLeft) - 0.25).abs() < 1e-12);
+    assert!(
+        (value(Muscle::OrbicularisOculiLeft) - 0.485).abs() < 1e-12,
+        "the orbicularis oculi follows the printed equation"
+    );
+    assert!(
+        (value(Muscle::CorrugatorLeft) - 0.25).abs() < 1e-12,
+        "the corrugator follows the printed equation"
+    );
     // Anger at half its distance and fear at twice: orbicularis oris 0.5 · (0.14 + 0.16) for
     // a sum of 0.15, risorius 2 · 0.65 on both sides for 2.6: left are 2.45 of 2.6.
     let mixture =
@@ -226,17 +241,23 @@ fn the_equations_as_printed_by_hand() {
     }
     face.settle();
     let value = |m: Muscle| face.values[m.index()];
-    assert!((value(Muscle::RisoriusLeft) - 1.3 * 2.45 / 2.6).abs() < 1e-12);
+    assert!(
+        (value(Muscle::RisoriusLeft) - 1.3 * 2.45 / 2.6).abs() < 1e-12,
+        "the scaled risorius follows the printed equation"
+    );
     assert_eq!(value(Muscle::OrbicularisOrisUpper), 0.0);
     // Corrugator: three quarters of 0.5 · 0.95 and one of 2 · 0.5.
-    assert!((value(Muscle::CorrugatorLeft) - (0.75 * 0.475 + 0.25)).abs() < 1e-12);
+    assert!(
+        (value(Muscle::CorrugatorLeft) - (0.75 * 0.475 + 0.25)).abs() < 1e-12,
+        "the mixed corrugator follows the printed equation"
+    );
 }
 
 #[test]
 fn nothing_jumps_around_the_disc() {
-    // The narrowest sector, disgust to anger, is 1.3° wide; within it a muscle goes from one
-    // to the other and, in the sums of antagonists, rises and falls again. In a thousandth of
-    // a degree that is little.
+    // The narrowest sector, disgust to anger, is 1.3° wide. Within it, a muscle changes from one
+    // expression to the other and, in the sums of antagonists, rises and falls again. The change
+    // within a thousandth of a degree is small.
     let step = 1e-3;
     let mut worst = (0.0, 0.0);
     let mut last = ExpressionWeights::on_disc(on_disc(-180.0, 45.0)).expression();
@@ -286,7 +307,8 @@ fn nothing_jumps_over_the_sphere() {
             let face = ExpressionWeights::on_sphere(on_sphere(from * cos + across * sin, 60.0));
             face.expression()
         };
-        // All around in steps of a tenth of a degree; where much changes, a closer look.
+        // The test samples the circle in steps of a tenth of a degree, and more finely where values
+        // change fast.
         let mut last = at(0.0);
         for k in 1..=3600 {
             let angle = f64::from(k) * core::f64::consts::TAU / 3600.0;
@@ -313,12 +335,15 @@ fn nothing_jumps_over_the_sphere() {
 
 #[test]
 fn power_tells_anger_from_fear_where_the_disc_cannot() {
-    // Reproach lies between fear and sadness on the disc, though it is of great power.
+    // Reproach lies between fear and sadness on the disc, although it has great power.
     let reproach = place("reproach").expect("a word");
     let shares = |space: EmotionSpace| ExpressionWeights::from_point(reproach, space).free;
     let (disc, sphere) = (shares(EmotionSpace::Disc), shares(EmotionSpace::Sphere));
     let of = |shares: [f64; LOOKS], b: BasicEmotion| shares[b as usize];
-    assert!(of(disc, BasicEmotion::Fear) > 0.1 && of(disc, BasicEmotion::Anger) == 0.0);
+    assert!(
+        of(disc, BasicEmotion::Fear) > 0.1 && of(disc, BasicEmotion::Anger) == 0.0,
+        "the disc shows fear without anger"
+    );
     assert!(
         of(sphere, BasicEmotion::Anger) > 0.2 && of(sphere, BasicEmotion::Fear) == 0.0,
         "{sphere:?}"
@@ -333,8 +358,14 @@ fn power_tells_anger_from_fear_where_the_disc_cannot() {
         ExpressionWeights::on_sphere(place)
     };
     let (strong, weak) = (at(25.0), at(-60.0));
-    assert!(of(strong.free, BasicEmotion::Anger) > 3.0 * of(strong.free, BasicEmotion::Fear));
-    assert!(of(weak.free, BasicEmotion::Fear) > 3.0 * of(weak.free, BasicEmotion::Anger));
+    assert!(
+        of(strong.free, BasicEmotion::Anger) > 3.0 * of(strong.free, BasicEmotion::Fear),
+        "high power shows anger rather than fear"
+    );
+    assert!(
+        of(weak.free, BasicEmotion::Fear) > 3.0 * of(weak.free, BasicEmotion::Anger),
+        "low power shows fear rather than anger"
+    );
 }
 
 #[test]
@@ -345,7 +376,10 @@ fn the_middle_of_the_space_is_calm() {
             Expression::default()
         );
         let near = ExpressionWeights::from_point(on_disc(77.0, 1e-9), space).expression();
-        assert!(apart(&near, &Expression::default()) < 1e-9);
+        assert!(
+            apart(&near, &Expression::default()) < 1e-9,
+            "the centre of the space is the neutral expression"
+        );
     }
 }
 
@@ -360,7 +394,7 @@ const SAME: [[&str; 2]; 3] = [
 /// Returns the visible signs of an emotion, with angles scaled by plainly visible ones.
 fn seen(word: &str, intensity: f64) -> Vec<f64> {
     let affect = Affect::named(word).expect(word);
-    let mut mixture = ExpressionWeights::perceived_weights(affect);
+    let mut mixture = ExpressionWeights::from_affect(affect);
     mixture.scale(intensity);
     let signs = EmotionSigns::from_affect(affect).scaled(intensity);
     let angles = [
@@ -426,15 +460,14 @@ fn every_word_grows_with_its_potential_all_the_way() {
 #[test]
 fn up_to_their_own_strength_the_basic_six_are_what_they_were_given() {
     for basic in BasicEmotion::ALL {
-        let named =
-            ExpressionWeights::perceived_weights(Affect::named(basic.word()).expect("a word"));
+        let named = ExpressionWeights::from_affect(Affect::named(basic.word()).expect("a word"));
         assert_eq!(
             named.expression(),
             Expression::from_basic(basic),
             "{basic:?}"
         );
     }
-    // What emoticons stand for (F&H table 4.1, section 4.3.5: 100 %).
+    // The meanings of emoticons (F&H table 4.1, section 4.3.5: 100 %).
     for (word, basic) in [
         ("joy", BasicEmotion::Joy),
         ("distress", BasicEmotion::Sadness),
@@ -443,7 +476,7 @@ fn up_to_their_own_strength_the_basic_six_are_what_they_were_given() {
         ("disgust", BasicEmotion::Disgust),
     ] {
         let face =
-            ExpressionWeights::perceived_weights(Affect::named(word).expect("a word")).expression();
+            ExpressionWeights::from_affect(Affect::named(word).expect("a word")).expression();
         assert!(
             apart(&face, &Expression::from_basic(basic)) < 1e-9,
             "{word}"
@@ -451,7 +484,7 @@ fn up_to_their_own_strength_the_basic_six_are_what_they_were_given() {
     }
     // Anxiety and panic are fear, scaled (F&H figure 4.17).
     for (word, ratio) in [("anxiety", 0.5), ("panic", 2.0)] {
-        let own = ExpressionWeights::perceived_weights(Affect::named(word).expect("a word"));
+        let own = ExpressionWeights::from_affect(Affect::named(word).expect("a word"));
         assert_eq!(
             own,
             ExpressionWeights::scaled(BasicEmotion::Fear, ratio),
@@ -464,7 +497,8 @@ fn up_to_their_own_strength_the_basic_six_are_what_they_were_given() {
 
 #[test]
 fn faces_of_all_words() {
-    // What each word takes of the six by its place, for people to read with --nocapture.
+    // Prints the weights of the six basic expressions for each word, for inspection with
+    // --nocapture.
     for (word, _) in WORDS {
         let place = place(word).expect("a word");
         let percent = |s: EmotionSpace| {

@@ -19,18 +19,19 @@ const STRONGEST: f64 = 4.0;
 /// and the limit bounds the work.
 const LANES: usize = 16;
 
-/// An emotion in force.
+/// Emotion that is in force for an interval of story time, with onset, apex and decay.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EmotionSpan {
     /// Start of the onset, story seconds.
     pub start_secs: f64,
     /// Time of full strength, story seconds.
     pub apex_secs: f64,
-    /// Until when it stays so; at or before the apex: no longer than that.
+    /// End of the sustained phase, story time, seconds; a time at or before the apex means no
+    /// sustain.
     pub until_secs: f64,
     /// End of the fade, story seconds.
     pub end_secs: f64,
-    /// The emotion.
+    /// Emotion to express.
     pub affect: Affect,
     /// Strength; 1 is that of its place.
     pub intensity: f64,
@@ -106,7 +107,7 @@ impl EmotionEffect {
     /// Returns the effect of a sustained emotion, including its wink, if any.
     fn sustained(affect: Affect) -> Self {
         Self {
-            mixture: ExpressionWeights::perceived_weights(affect),
+            mixture: ExpressionWeights::from_affect(affect),
             signs: EmotionSigns::from_affect(affect),
             place: affect.place,
             strength: 1.0,
@@ -124,7 +125,7 @@ impl EmotionEffect {
     }
 }
 
-/// State of breathing.
+/// Breathing of the figure at one time: phase lead and depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Breathing {
     /// Lead of the breath over calm breath, seconds: the phase at a time is that of calm breath at
@@ -135,15 +136,15 @@ pub struct Breathing {
 }
 
 impl Breathing {
-    /// Breathing without emotion.
+    /// Breathing without emotion: no lead, depth 1.
     pub const CALM: Self = Self {
         lead_secs: 0.0,
         depth: 1.0,
     };
 }
 
-/// Emotions of a performance, prepared. Evaluation is a pure function of time and allocates
-/// nothing.
+/// Emotions of a performance, prepared; gives expression and other signs at any story time.
+/// Evaluation is a pure function of time and allocates nothing.
 ///
 /// Emotions that are in force together are mixed by their strengths, which are never more
 /// than 1 together; where their muscles pull against each other the stronger ones win (F&H
@@ -269,7 +270,7 @@ impl EmotionTrack {
             let lid = expression.value(FaceControl::UPPER_LID_LEFT);
             sum.mixture.wink(sum.wink);
             expression = sum.mixture.expression();
-            // The lid has a way of its own: all the way, from wherever it is.
+            // The lid always closes fully, from any position.
             expression.values[FaceControl::UPPER_LID_LEFT.index()] = lid;
         }
         expression.add(controls);
@@ -289,7 +290,7 @@ impl EmotionTrack {
         self.sum(time_secs).strength
     }
 
-    /// Factor on unscripted motion, by the emotion: 1 in calm.
+    /// Returns the factor that an emotion applies to unscripted motion at a time; 1 when calm.
     #[must_use]
     pub fn liveliness(&self, time_secs: f64) -> f64 {
         1.0 + self.sum(time_secs).signs.limited().liveliness
@@ -309,7 +310,7 @@ impl EmotionTrack {
         self.sum(time_secs).signs.limited().head()
     }
 
-    /// Returns the state of breathing at a time.
+    /// Returns phase lead and depth of breathing at a story time, seconds.
     #[must_use]
     pub fn breath(&self, time_secs: f64) -> Breathing {
         let lead_secs = match last_at_or_before(&self.knots, time_secs) {

@@ -1,4 +1,4 @@
-//! A wink (AU 46; F&H figure 4.7): for a moment, where its emotion is full.
+//! Wink (AU 46; F&H figure 4.7): a short closure at the apex of its emotion.
 
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_body::face::FaceControls;
@@ -8,7 +8,7 @@ use raconteur_body::face::FaceControls;
 const CLOSING_SECS: f64 = 0.12;
 const CLOSED_SECS: f64 = 0.2;
 const OPENING_SECS: f64 = 0.25;
-/// From this intensity on the eye closes fully. *Designed*: a weaker joke winks less.
+/// Intensity of an emotion from which the eye closes fully. *Designed*: a weaker joke winks less.
 const FULL_FROM: f64 = 0.4;
 
 /// Returns the eye closure of an emotion of a given intensity and share of wink, 0 to 1.

@@ -1,9 +1,8 @@
-//! From the controls of a face to a figure's jaw, lids and morph weights.
+//! Conversion from face controls to a figure's jaw, lids and morph weights.
 //!
-//! Morph targets are found by their ARKit names once; a figure that lacks one goes
-//! without. Jaw, lids and eyes are joints; a figure that has none of these, as other
-//! people's avatars, moves them by targets too. A figure whose skin follows the tissue keeps
-//! joints and tongue only.
+//! Morph targets are located by their ARKit names once; missing targets are skipped. Jaw, lids and
+//! eyes are joints. Targets also move them in figures without these joints, such as imported
+//! avatars. A figure whose skin follows the tissue uses only joints and tongue targets.
 
 mod targets;
 
@@ -20,7 +19,8 @@ const LOOK_RAD: f64 = 0.5;
 /// Turn of the upper lids that opens the eyes wide, radians: 1.5 mm on the globe. Designed.
 const WIDE_RAD: f64 = 0.12;
 
-/// Bones and morph targets of a figure's face: resolved once, used each frame.
+/// Bones and morph targets of a figure's face, resolved once; converts face controls into a pose
+/// each frame.
 #[derive(Clone, Debug)]
 pub struct FaceRig {
     /// The morph targets that are the left half, the right half and the whole of each target.
@@ -32,7 +32,7 @@ pub struct FaceRig {
 }
 
 impl FaceRig {
-    /// Finds the face of a figure.
+    /// Finds the bones and morph targets of a figure's face.
     #[must_use]
     pub fn new(figure: &Figure) -> Self {
         let mut rig = Self::from_parts(
@@ -40,7 +40,7 @@ impl FaceRig {
             &figure.morph_names,
             figure.lid_closure_rad,
         );
-        // What a joint moves must not be moved a second time.
+        // A motion done by a joint must not be done again by a target.
         let carries = |wanted: fn(Drive) -> bool| {
             let joints = figure.skeleton.joints();
             figure.meshes.iter().any(|mesh| {
@@ -66,7 +66,8 @@ impl FaceRig {
         rig
     }
 
-    /// From the parts of a figure that matter.
+    /// Creates the rig from skeleton, names of morph targets and lid closure angles (left, right;
+    /// radians).
     #[must_use]
     pub fn from_parts(
         skeleton: &Skeleton,
@@ -111,7 +112,7 @@ impl FaceRig {
         }
     }
 
-    /// Eyeball centres in the skull bone's frame, left and right, metres.
+    /// Returns the eyeball centres in the skull bone's frame, left and right, metres.
     #[must_use]
     pub fn eyes_in_skull(&self) -> [DVec3; 2] {
         self.eyes_in_skull
@@ -131,8 +132,8 @@ impl FaceRig {
         let mut controls = *controls;
         controls.limit();
         let jaw = controls.jaw;
-        // In the skull's frame x is up, y front and z left: positive turns take the chin to
-        // the figure's left and down.
+        // In the skull's frame, x is up, y front and z left: positive turns move the chin to the
+        // figure's left and down.
         pose.set(
             Bone::Chin,
             DQuat::from_rotation_x(jaw.yaw_rad) * DQuat::from_rotation_z(jaw.pitch_rad),
@@ -157,8 +158,8 @@ impl FaceRig {
             let squint = contraction(Muscle::OrbicularisOculiLeft, i);
             let raised = contraction(Muscle::FrontalisMedialLeft, i);
             let [closed, wide] = [1.0, -1.0].map(|sign| (sign * controls.upper_lid[i]).max(0.0));
-            // The upper lid follows the gaze by some three quarters (Evinger et al. 1991),
-            // the lower by a third; raised brows take the lid a little up.
+            // The upper lid follows the gaze by about three quarters (Evinger et al. 1991), the
+            // lower by a third; raised brows raise the lid slightly.
             let follow = (0.72 * pitch).clamp(-0.12, 0.6 * self.lid_closure_rad[i]);
             let open = follow + 0.06 * squint - 0.05 * raised - WIDE_RAD * wide;
             pose.upper_lid_rad[i] = open + (self.lid_closure_rad[i] - open) * closed;
@@ -221,8 +222,14 @@ mod tests {
         };
         rig(&["other", "mouthClose"]).write(&sealed, [0.0; 2], &mut pose, &mut w);
         let angle = pose.rotation(Bone::Chin).to_scaled_axis().z;
-        assert!((angle - 0.12).abs() < 1e-12);
-        assert!((f64::from(w[1]) - angle / MOUTH_CLOSE_RAD).abs() < 1e-6 && w[0] == 0.0);
+        assert!(
+            (angle - 0.12).abs() < 1e-12,
+            "the jaw angle for closed lips"
+        );
+        assert!(
+            (f64::from(w[1]) - angle / MOUTH_CLOSE_RAD).abs() < 1e-6 && w[0] == 0.0,
+            "mouthClose replaces the jaw by its share of the angle"
+        );
     }
 
     #[test]
@@ -242,7 +249,10 @@ mod tests {
         let mut controls = with_jaw(0.2);
         (controls.jaw.yaw_rad, controls.jaw.forward_m) = (-0.05, 0.004);
         rig(&names).write(&controls, [0.25; 2], &mut pose, &mut w);
-        assert!((f64::from(w[0]) - 0.2 / JAW_OPEN_RAD).abs() < 1e-6);
+        assert!(
+            (f64::from(w[0]) - 0.2 / JAW_OPEN_RAD).abs() < 1e-6,
+            "jawOpen replaces the jaw by its share of the angle"
+        );
         assert!(w[1] > 0.1 && w[1] < 0.3, "the lid follows: {}", w[1]);
         assert!(
             (w[2] - 0.5).abs() < 0.03 && (w[3] - 0.5).abs() < 0.03,
@@ -286,14 +296,16 @@ mod tests {
                 pitch_rad: 0.2,
                 ..jaw()
             })
-            .y < rest.y - 0.01
+            .y < rest.y - 0.01,
+            "the pitched jaw lowers the chin"
         );
         assert!(
             chin(Jaw {
                 yaw_rad: 0.1,
                 ..jaw()
             })
-            .x > rest.x + 0.009
+            .x > rest.x + 0.009,
+            "the yawed jaw moves the chin sideways"
         );
         let slid = chin(Jaw {
             forward_m: 0.002,
@@ -338,7 +350,10 @@ mod tests {
         rig.write(&controls, [0.0; 2], &mut pose, &mut w);
         assert_eq!(w, [0.25, 0.5, 0.25, 0.25]);
         assert_eq!(pose.upper_lid_rad, [0.8, 0.7]);
-        assert!(pose.rotation(Bone::Chin).to_scaled_axis().z > 0.19);
+        assert!(
+            pose.rotation(Bone::Chin).to_scaled_axis().z > 0.19,
+            "the skull tissue figure rolls its chin bone"
+        );
     }
 
     #[test]
@@ -355,6 +370,9 @@ mod tests {
         ];
         rig(&names).write(&controls, [0.0; 2], &mut pose, &mut w);
         assert_eq!((w[0], w[3]), (0.25, 0.0));
-        assert!((w[1] - 0.35).abs() < 1e-6 && (w[2] - 0.7).abs() < 1e-6);
+        assert!(
+            (w[1] - 0.35).abs() < 1e-6 && (w[2] - 0.7).abs() < 1e-6,
+            "one target for both sides takes the mean"
+        );
     }
 }

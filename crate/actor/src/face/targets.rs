@@ -1,8 +1,8 @@
-//! From the controls of a face to the weights of morph targets.
+//! Conversion from face controls to morph target weights.
 //!
-//! Figures without tissue have targets by ARKit's names, drawn or composed when they were
-//! made; this is what stands for their muscles. Most of it is linear, a sparse table; what
-//! the lips do over an open jaw is not.
+//! Figures without tissue have targets with ARKit names, modelled or composed when the figure was
+//! made. This module maps muscles to these targets. Most of the map is linear, a sparse table; the
+//! lips over an open jaw are not.
 
 use raconteur_body::face::{ARKIT, FaceControls, Jaw, MUSCLES, Muscle};
 use raconteur_body::figure::{JAW_OPEN_RAD, MOUTH_CLOSE_RAD};
@@ -24,7 +24,7 @@ const LIPS_M: f64 = 0.09;
 pub(super) enum MorphTarget {
     JawOpen,
     JawForward,
-    /// To the left and to the right.
+    /// Sideways shift of the jaw, to the left and to the right.
     Jaw,
     Blink,
     LookUp,
@@ -42,7 +42,7 @@ pub(super) enum MorphTarget {
     Close,
     Funnel,
     Pucker,
-    /// To the left and to the right.
+    /// Sideways shift of the mouth, to the left and to the right.
     Mouth,
     Smile,
     Frown,
@@ -144,7 +144,7 @@ static TABLE: [(Muscle, usize, u8); ARKIT.len()] = {
     table
 };
 
-/// Weights of all targets, left and right; of one in the middle both are the same.
+/// Weights of all morph targets, left and right; equal for a target in the middle.
 pub(super) type Weights = [[f64; 2]; T::COUNT];
 
 /// Returns the weights driven by muscles, jaw and tongue. [`FaceRig`](super::FaceRig) handles
@@ -172,7 +172,7 @@ pub(super) fn of_controls(controls: &FaceControls) -> Weights {
     let aside = yaw_rad / Jaw::RANGES[1][1];
     w[T::Jaw as usize] = [aside, -aside];
 
-    // The jaw takes the lips apart; the ring of the mouth lets them keep some of that.
+    // The jaw separates the lips; the orbicularis oris retains part of their contact.
     let kept = (1.0 - seal) * (1.0 - 0.35 * ring) * (1.0 - 0.3 * round);
     w[T::Close as usize] = [(1.0 - kept) * open_rad / MOUTH_CLOSE_RAD; 2];
     // Lips that are pushed forward make a funnel when open and a kiss when not.
@@ -192,14 +192,13 @@ pub(super) fn of_controls(controls: &FaceControls) -> Weights {
         (T::UpperUp, 1.0, 0.25 * bite),
         // Rounded lips cannot smile.
         (T::Smile, 1.0 - 0.75 * round, 0.0),
-        // Cheeks pressed against air that sealed lips hold puff; else they draw in the
-        // corners.
+        // Cheeks puff against sealed lips; otherwise they draw in the corners of the mouth.
         (T::CheekPuff, 0.0, seal * puff),
         (T::Dimple, 1.0 - seal, 0.0),
     ] {
         w[target as usize] = w[target as usize].map(|weight| weight * keep + more);
     }
-    // What takes lips apart gives way to what closes them.
+    // Targets that separate the lips yield to closures.
     for (target, most) in [
         (T::UpperUp, 1.0 - seal),
         (T::Sneer, 1.0 - seal),
@@ -218,7 +217,8 @@ pub(super) fn of_controls(controls: &FaceControls) -> Weights {
     weights
 }
 
-/// The table's part.
+/// Returns the linear part of the target weights: the sum over muscle contractions (0 to 1) by the
+/// table.
 fn linear(contraction: &[f64; MUSCLES]) -> Weights {
     let mut weights = [[0.0; 2]; T::COUNT];
     for &(muscle, target, percent) in &TABLE {

@@ -1,7 +1,7 @@
-//! Hands as solids: they neither pass through each other nor into the body.
+//! Collision of hands with each other and with the body.
 //!
-//! A hand is a bundle of capsules about its bones. Freeing it needs a continuous
-//! function of where the hands are wanted, so that a hand slides along what it meets.
+//! A hand is a bundle of capsules about its bones. The separation needs a continuous function of
+//! the requested hand positions, so that a hand slides along an obstacle.
 
 use raconteur_base::{DQuat, DVec3, Length, Side};
 use raconteur_body::hand_shape::finger_bones;
@@ -27,12 +27,13 @@ const BIAS: f64 = 0.5;
 /// Steps of the search for where two hands are free of each other.
 const STEPS: usize = 8;
 
-/// A sphere swept along a line.
+/// Sphere swept along a line segment; approximates a finger bone or a part of a hand in collision
+/// tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Capsule {
     /// Ends of its axis, metres.
     pub ends: [DVec3; 2],
-    /// Radius, metres.
+    /// Radius of the capsule, metres.
     pub radius_m: f64,
 }
 
@@ -63,7 +64,7 @@ fn shortest(a: [DVec3; 2], b: [DVec3; 2]) -> DVec3 {
             0.0
         }
     };
-    // The best place on one line for the best on the other, put right once.
+    // The nearest point on one line to the nearest point on the other, corrected once.
     let s = share(uv * vw - vv * uw, uu * vv - uv * uv);
     let t = share(uv * s + vw, vv);
     let s = share(uv * t - uw, uu);
@@ -75,7 +76,7 @@ fn shortest(a: [DVec3; 2], b: [DVec3; 2]) -> DVec3 {
 struct HandSolid {
     /// World from wrist in the zero pose.
     wrist_zero: DQuat,
-    /// Of each finger bone: where it begins in its parent, metres, and its zero rotation.
+    /// Start of each finger bone in the frame of its parent, metres, and its zero rotation.
     bones: [(DVec3, DQuat); 15],
     radii_m: [[f64; 4]; 2],
 }
@@ -127,18 +128,19 @@ impl HandSolid {
     }
 }
 
-/// Requested pose of a hand.
+/// Requested pose of a hand before collisions are resolved: wrist, rotation and fingers.
 #[derive(Clone, Copy, Debug)]
 pub struct TargetHand {
-    /// Wrist, metres.
+    /// Position of the wrist, metres.
     pub wrist: DVec3,
-    /// Hand rotation ([`crate::palm`]).
+    /// Rotation of the hand ([`crate::palm`]).
     pub hand: DQuat,
     /// Local rotations of the finger bones, in the order of [`finger_bones`].
     pub fingers: [(Bone, DQuat); 15],
 }
 
-/// Both hands of a figure, and the body that they must not enter.
+/// Collision model of a figure's hands and body; moves hands out of the body and apart from each
+/// other.
 #[derive(Clone, Debug)]
 pub struct Contact {
     hands: [HandSolid; 2],
@@ -173,7 +175,7 @@ impl Contact {
                 .exit_displacement(capsule.ends[1], capsule.radius_m);
             let depth = out.magnitude();
             deepest = deepest.max(depth);
-            // The deeper, the more it has to say of the way.
+            // Deeper contacts have a larger weight in the direction.
             sum += out * depth;
             total += depth * depth;
         }
@@ -199,8 +201,8 @@ impl Contact {
         if ca.distance_to(cb) > reach(&a, ca) + reach(&b, cb) + touch {
             return DVec3::ZERO;
         }
-        // Where fingers cross, their pushes cancel: then to the sides, the dominant hand before
-        // the other.
+        // Crossed fingers cancel their pushes; then the hands move sideways, the dominant hand to
+        // the front.
         let bias = (left * 0.8 - front * (0.6 * self.left_behind)) * BIAS;
         let mut parted = DVec3::ZERO;
         for _ in 0..STEPS {
@@ -208,13 +210,13 @@ impl Contact {
             let (mut deepest, mut total) = (0.0_f64, 0.0);
             for x in &a {
                 for y in &b {
-                    // Axes that meet part to the sides.
+                    // Intersecting axes separate sideways.
                     let gap = x.gap(y, -parted) + left * 1e-4;
                     let length = gap.magnitude();
                     let depth = eased(x.radius_m + y.radius_m - length);
                     if depth > 0.0 {
                         deepest = deepest.max(depth);
-                        // The deeper, the more it has to say of the way.
+                        // Deeper contacts have a larger weight in the direction.
                         sum += gap * (depth / length);
                         total += depth;
                     }
@@ -230,7 +232,7 @@ impl Contact {
     }
 }
 
-/// max(x, 0) with its corner rounded within ±[`EDGE_M`].
+/// Returns max(x, 0) with its corner rounded within ±[`EDGE_M`].
 fn eased(x: f64) -> f64 {
     if x >= EDGE_M {
         x
@@ -264,10 +266,19 @@ mod tests {
         };
         let a = along(DVec3::ZERO, DVec3::X);
         let crossing = along(DVec3::new(0.5, 0.15, -1.0), DVec3::new(0.5, 0.15, 1.0));
-        assert!((a.depth_m(&crossing, DVec3::ZERO) - 0.05).abs() < 1e-12);
+        assert!(
+            (a.depth_m(&crossing, DVec3::ZERO) - 0.05).abs() < 1e-12,
+            "crossing capsules overlap by 5 cm"
+        );
         let beyond = along(DVec3::new(1.5, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0));
-        assert!((a.depth_m(&beyond, DVec3::ZERO) + 0.3).abs() < 1e-12);
-        assert!((a.depth_m(&a, DVec3::Y * 0.2)).abs() < 1e-12);
+        assert!(
+            (a.depth_m(&beyond, DVec3::ZERO) + 0.3).abs() < 1e-12,
+            "separate capsules have a negative depth"
+        );
+        assert!(
+            (a.depth_m(&a, DVec3::Y * 0.2)).abs() < 1e-12,
+            "the depth changes by the offset"
+        );
     }
 
     #[test]
@@ -299,7 +310,7 @@ mod tests {
                     .map(|(a, b)| a.depth_m(b, DVec3::ZERO))
                     .fold(f64::MIN, f64::max);
                 assert!(deepest < 0.004, "{normal} {x}: {deepest}");
-                // The hands come 2 mm nearer; each is moved by half of this.
+                // The hands approach by 2 mm; each hand moves by half of this.
                 if let Some(last) = last {
                     worst = worst.max(apart.distance(last));
                 }
@@ -307,7 +318,10 @@ mod tests {
             }
             // No jump: by less than the thickness of a finger.
             assert!(worst < 0.03, "{normal}: {worst}");
-            assert!(last.is_some_and(|v| v.length() > 0.01));
+            assert!(
+                last.is_some_and(|v| v.length() > 0.01),
+                "the separated hands slide"
+            );
         }
     }
 }

@@ -1,5 +1,5 @@
-//! Hand shapes over time. They keep their own keys: fingers that drum or walk must not make
-//! the arm that carries them stop.
+//! Hand shapes over time. They have their own keys, so that drumming or walking fingers do not stop
+//! the arm.
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::profile::Profile;
@@ -16,7 +16,7 @@ const EARLY: f64 = 1.2;
 /// shapes.
 const OVERSHOOT: f64 = 0.15;
 
-/// Finger angles of one hand over the whole story.
+/// Finger angles of one hand over the whole story, with their own keys.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FingerTrack {
     times: Vec<f64>,
@@ -39,7 +39,8 @@ impl FingerNode {
 }
 
 impl FingerTrack {
-    /// The angles at a time, relaxed before the first key, and the share of rest in them.
+    /// Returns the finger angles at a time (relaxed before the first key) and the share of the rest
+    /// posture in them, 0 to 1.
     pub(super) fn sample(&self, time_secs: f64) -> (HandAngles, f64) {
         let Some((i, s, _)) = piece_at(&self.times, time_secs) else {
             return (RestPostures::shape(), 1.0);

@@ -1,13 +1,11 @@
-//! Gestures: what a script asks of each hand, and the motion between.
+//! Gestures: the scripted keys of each hand and the motion between them.
 //!
-//! A script gives strokes: keys of wrist position, hand rotation and hand shape at exact
-//! times, each with the profile of the way to it. [`ArmPlan`] adds what people do around them
-//! (Kendon's phases, GEVH appendix C): preparation, holds, flowing from one stroke into the
-//! next, partial and full retraction, and rest. A script that names its phases has its own way
-//! with them.
+//! A script specifies strokes: keys of wrist position, hand rotation and hand shape at exact times,
+//! each with the speed profile of its path. [`ArmPlan`] adds the other gesture phases (Kendon's
+//! phases, GEVH appendix C): preparation, holds, coarticulation between strokes, partial and full
+//! retraction, and rest. Phases named by a script take precedence.
 //!
-//! Wrist, hand rotation and fingers keep clocks of their own: a palm that turns does not stop
-//! the arm that carries it.
+//! Wrist, hand rotation and fingers have separate timings: a turning palm does not stop the arm.
 
 pub mod contact;
 mod fingers;
@@ -28,10 +26,11 @@ pub use plan::{ArmPlan, HandState, HandTarget};
 pub use planner::PlannedKey;
 pub use rest::{RestPostures, RestingHand};
 
-/// The features of one hand at one time.
+/// Key of a gesture: wrist position, hand rotation and hand shape of one hand at one time; an
+/// absent feature is not constrained.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HandKey {
-    /// Story time, seconds.
+    /// Time of the key, story time, seconds.
     pub time_secs: f64,
     /// Position of the wrist, world, metres. `None` leaves it on its path to the next key that has
     /// one, or keeps it when there is none.
@@ -53,7 +52,7 @@ pub struct HandKey {
     pub shape_course: Transition,
 }
 
-/// Transition of a feature to a key (GEVH 3.5.1).
+/// Transition of a hand feature to a key: motion profile and interpolation space (GEVH 3.5.1).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Transition {
     /// Velocity profile. `None` leaves pace and path to the planner: minimum jerk along a slightly
@@ -64,7 +63,7 @@ pub struct Transition {
     pub space: Option<InterpolationSpace>,
 }
 
-/// The quantity that is interpolated between two keys.
+/// Space in which a hand is interpolated between two keys: positions, or joint angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InterpolationSpace {
     /// Positions and orientations in the world: a straight path.
@@ -74,7 +73,7 @@ pub enum InterpolationSpace {
     Joint,
 }
 
-/// A part of a gesture (GEVH 3.5.2, appendix C.3.5).
+/// Phase of a gesture (GEVH 3.5.2, appendix C.3.5).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum GesturePhase {
     /// The meaningful phase. The planner adds the phases before and after.
@@ -91,10 +90,10 @@ pub enum GesturePhase {
     PartialRetraction,
 }
 
-/// A group of keys that belong together, usually one gesture phase or one clause.
+/// Group of hand keys that belong together, usually one gesture phase or one clause.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GestureStroke {
-    /// Gesture phase.
+    /// Gesture phase to which the keys belong.
     pub phase: GesturePhase,
     /// Beginning, story time, seconds. In a stroke the hand has arrived at the first key by that
     /// key's own time, whatever this value; in other phases it departs at this time.
@@ -108,16 +107,16 @@ pub struct GestureStroke {
     pub pace: Option<Profile>,
 }
 
-/// An interval of story time, seconds.
+/// Interval of story time, seconds; limits the times at which gestures are enabled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeSpan {
-    /// Beginning.
+    /// Start of the interval.
     pub start_secs: f64,
     /// End; may be infinite.
     pub end_secs: f64,
 }
 
-/// Default arm motion of a figure.
+/// Settings of the arm motion of a figure at rest: random seed, amount and dominant hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IdleSettings {
     /// Seed of all that is left to chance.
@@ -129,7 +128,7 @@ pub struct IdleSettings {
     pub dominant: Side,
 }
 
-/// Script of one arm.
+/// Gesture script of one arm: its strokes, and the intervals in which gestures are enabled.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ArmScript {
     /// Strokes in any order.

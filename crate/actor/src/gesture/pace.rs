@@ -1,4 +1,4 @@
-//! How long hands need from one key to another.
+//! Minimum durations of hand motion between keys.
 
 use raconteur_base::{DQuat, DVec3, Length};
 use raconteur_body::hand_shape::HandAngles;
@@ -24,7 +24,7 @@ const TURN_SECS: [f64; 2] = [0.2, 0.16];
 /// Time in which fingers form another shape unhurried, seconds. Designed.
 pub(super) const SHAPING_SECS: f64 = 0.35;
 
-/// Durations of a movement, seconds.
+/// Minimum and comfortable duration of a hand movement, seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct MoveDurations {
     /// The shortest that the planner plans.
@@ -34,7 +34,7 @@ pub(super) struct MoveDurations {
 }
 
 impl MoveDurations {
-    /// For a wrist.
+    /// Returns the durations of a wrist movement between two positions, metres.
     pub(super) fn by_wrist(from: DVec3, to: DVec3) -> Self {
         let way_m = from.distance_to(to);
         if way_m <= SAME_PLACE_M {
@@ -47,7 +47,7 @@ impl MoveDurations {
         }
     }
 
-    /// For the turn of a hand.
+    /// Returns the durations of a rotation of the hand.
     pub(super) fn by_hand(from: DQuat, to: DQuat) -> Self {
         let turn_rad = from.angle_between(to);
         if turn_rad <= SAME_RAD {
@@ -59,7 +59,7 @@ impl MoveDurations {
         }
     }
 
-    /// For the fingers.
+    /// Returns the durations of a change of the hand shape.
     pub(super) fn by_fingers(from: &HandAngles, to: &HandAngles) -> Self {
         let turn_rad = from.greatest_difference(to);
         if turn_rad <= SAME_RAD {

@@ -1,4 +1,4 @@
-//! The way of a wrist between two places.
+//! Path of a wrist between two positions.
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::{DVec3, Length, ops};
@@ -12,11 +12,11 @@ const GAUSS: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_5),
 ];
 
-/// A free movement: from its start along `along` with a bulge of `arch` in the middle, a
-/// parabola; metres.
+/// Path of a free wrist movement from its start: `along` with a parabolic bulge of `arch` in the
+/// middle; metres.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ArcPath {
-    /// From start to end.
+    /// Displacement from start to end, metres.
     pub(super) along: DVec3,
     /// Displacement of the middle.
     pub(super) arch: DVec3,
@@ -62,8 +62,8 @@ impl ArcPath {
     }
 }
 
-/// A movement that begins and ends with a velocity (metres a second), from its start: the
-/// quintic of least jerk, and a bump of `arch` on it. `secs` is its whole time.
+/// Returns the displacement from the start, metres, at share `s` of a movement with given start and
+/// end velocities, m/s: a minimum-jerk quintic plus a bulge of `arch`. `secs` is its duration.
 pub(super) fn flowing(bow: &ArcPath, velocities: [DVec3; 2], secs: f64, s: f64) -> DVec3 {
     bow.along * minimum_jerk(s)
         + velocities[0] * (secs * start_slope(s))
@@ -71,24 +71,25 @@ pub(super) fn flowing(bow: &ArcPath, velocities: [DVec3; 2], secs: f64, s: f64) 
         + bow.arch * arch(s)
 }
 
-/// Zero displacement with slope 1 at the start, slope 0 at the end, no acceleration at
-/// either: the quintic of minimum jerk for an initial velocity.
+/// Returns the minimum-jerk quintic for an initial velocity: no displacement at either end, slope 1
+/// at the start and 0 at the end, no acceleration at either.
 fn start_slope(s: f64) -> f64 {
     s - s * s * s * (6.0 - s * (8.0 - 3.0 * s))
 }
 
-/// The same for a final velocity.
+/// Returns the minimum-jerk quintic for a final velocity: no displacement at either end, slope 0 at
+/// the start and 1 at the end, no acceleration at either.
 fn end_slope(s: f64) -> f64 {
     -s * s * s * (4.0 - s * (7.0 - 3.0 * s))
 }
 
-/// A bump of height 1 with neither speed nor acceleration at its ends.
+/// Returns a bump of height 1 with zero speed and acceleration at its ends, `s` 0 and 1.
 fn arch(s: f64) -> f64 {
     let u = 4.0 * s * (1.0 - s);
     u * u * u
 }
 
-/// Time for a movement of this length, seconds: Fitts's law (1954,
+/// Returns the duration of a hand movement of this length, seconds: Fitts's law (1954,
 /// doi:10.1037/h0055392) with a target width of 5 cm; slope and limits designed.
 pub(super) fn reach_secs(distance_m: f64) -> f64 {
     (0.30 + 0.16 * ops::ln(1.0 + distance_m / 0.05) / core::f64::consts::LN_2).clamp(0.35, 0.9)
@@ -114,8 +115,14 @@ mod tests {
             let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
             let worst = speeds.iter().map(|v| (v / mean - 1.0).abs());
             assert!(worst.fold(0.0, f64::max) < 0.03, "{height}");
-            assert!(bow.after(0.0).length() < 1e-9);
-            assert!(bow.after(1.0).distance(bow.along) < 1e-9);
+            assert!(
+                bow.after(0.0).length() < 1e-9,
+                "the bow starts at its first point"
+            );
+            assert!(
+                bow.after(1.0).distance(bow.along) < 1e-9,
+                "the bow ends at its last point"
+            );
         }
     }
 
@@ -128,8 +135,17 @@ mod tests {
         let v = [DVec3::Z, DVec3::NEG_Y];
         let h = 1e-5;
         let at = |s| flowing(&bow, v, 2.0, s);
-        assert!(((at(h) - at(0.0)) / (2.0 * h)).distance(v[0]) < 1e-3);
-        assert!(((at(1.0) - at(1.0 - h)) / (2.0 * h)).distance(v[1]) < 1e-3);
-        assert!(at(1.0).distance(DVec3::X) < 1e-12);
+        assert!(
+            ((at(h) - at(0.0)) / (2.0 * h)).distance(v[0]) < 1e-3,
+            "the initial velocity of the flow"
+        );
+        assert!(
+            ((at(1.0) - at(1.0 - h)) / (2.0 * h)).distance(v[1]) < 1e-3,
+            "the final velocity of the flow"
+        );
+        assert!(
+            at(1.0).distance(DVec3::X) < 1e-12,
+            "the flow ends at its target"
+        );
     }
 }

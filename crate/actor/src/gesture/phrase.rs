@@ -1,5 +1,5 @@
-//! From a script to phrases: strokes by time, cut to the spans in which gestures are on, those
-//! that overlap made one.
+//! Conversion from a script to phrases: strokes sorted by time, cut to the spans of active
+//! gestures, with overlapping strokes merged.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DQuat, DVec3};
@@ -12,7 +12,8 @@ const SAME_SECS: f64 = 1e-6;
 /// Preparation time of a feature that joins a gesture during its hold, seconds. Designed.
 const JOIN_SECS: f64 = 0.5;
 
-/// A run of keys within one enabled interval, with the hold time of the last.
+/// Run of hand keys performed as one unit within an enabled interval, with the hold time after the
+/// last key.
 pub(super) struct Phrase {
     pub(super) phase: GesturePhase,
     /// Start time: the first key, or the phase.
@@ -24,7 +25,7 @@ pub(super) struct Phrase {
 }
 
 impl Phrase {
-    /// A feature's first key, if it has one.
+    /// Returns the first key that has a feature; `None` if no key has it.
     pub(super) fn first_key(&self, has: fn(&HandKey) -> bool) -> Option<&HandKey> {
         self.keys.iter().find(|k| has(k))
     }
@@ -83,7 +84,7 @@ const FEATURES: [Feature; 3] = [
     (has_shape, |k| k.shape = None),
 ];
 
-/// The phrases of a script, by time.
+/// Returns the phrases of an arm script, sorted by time.
 pub(super) fn phrases(script: &ArmScript) -> Vec<Phrase> {
     let always = [TimeSpan {
         start_secs: f64::NEG_INFINITY,
@@ -204,7 +205,7 @@ impl Phrase {
             next.phase,
             GesturePhase::Retraction | GesturePhase::PartialRetraction
         );
-        // When the other begins to count, and whether that took keys away.
+        // Start time of the other stroke, and whether it removed keys.
         let mut joined: [Option<f64>; 3] = [None; 3];
         for ((has, forget), joined) in FEATURES.into_iter().zip(&mut joined) {
             let first = next.first(has);

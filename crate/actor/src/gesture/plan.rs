@@ -1,4 +1,4 @@
-//! The motion of one arm as a function of time.
+//! Motion of one arm as a function of time.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use super::tracks::{HandTrack, WristTrack, piece_at};
 use super::{ArmScript, IdleSettings, RestPostures};
 use crate::ArmRig;
 
-/// Target of a hand at one time.
+/// Target of a hand at one time: wrist, rotation, finger angles, and the share of rest in each.
 #[derive(Clone, Copy, Debug)]
 pub struct HandTarget {
     /// Wrist position; in the world for scripted places, relative to the zero pose of the trunk at
@@ -23,26 +23,26 @@ pub struct HandTarget {
     pub wrist: DVec3,
     /// Hand rotation, likewise by [`HandTarget::hand_rest_share`].
     pub hand: DQuat,
-    /// Finger angles.
+    /// Angles of the finger joints.
     pub shape: HandAngles,
     /// 1 at rest (the wrist moves with the trunk), 0 in a gesture (it is in the world).
     pub rest_share: f64,
-    /// The same for the hand's rotation.
+    /// Share of the rest posture in the hand's rotation, 0 to 1.
     pub hand_rest_share: f64,
-    /// The same for the fingers, which may gesture while the arm rests.
+    /// Share of the rest posture in the fingers, 0 to 1; they may gesture while the arm rests.
     pub finger_rest_share: f64,
 }
 
-/// Phase of an arm.
+/// Activity of an arm at one time: at rest or gesturing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HandState {
-    /// At rest.
+    /// Arm in its rest posture.
     Rest,
     /// Moving to a stroke, in it, held, or returning.
     Busy,
 }
 
-/// An interval with its own pace.
+/// Interval of story time in which the gestures follow a speed profile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpeedSpan {
     pub(super) start_secs: f64,
@@ -50,7 +50,7 @@ pub(super) struct SpeedSpan {
     pub(super) profile: Profile,
 }
 
-/// The motion of one arm over the whole story.
+/// Planned gesture motion of one arm over the whole story.
 #[derive(Clone, Debug)]
 pub struct ArmPlan {
     wrist: WristTrack,
@@ -103,7 +103,7 @@ impl ArmPlan {
         }
     }
 
-    /// The arm that it is planned for.
+    /// Returns the arm for which the motion is planned.
     #[must_use]
     pub fn rig(&self) -> &ArmRig {
         &self.rig
@@ -128,7 +128,8 @@ impl ArmPlan {
         }
     }
 
-    /// The time on the course of the keys that a time of the story is.
+    /// Converts story time into the time of the planned keys, seconds, by the speed profile in
+    /// force.
     fn paced(&self, time_secs: f64) -> f64 {
         let pace = last_at_or_before(&self.pace_starts, time_secs).map(|i| self.paces[i]);
         match pace {
@@ -165,7 +166,7 @@ impl ArmPlan {
         spans
     }
 
-    /// As [`Rest::welcome`].
+    /// Restricts the rest posture to a welcome, see [`RestPostures::use_welcome_posture`].
     pub(crate) fn use_welcome_posture(&mut self, skeleton: &Skeleton) {
         self.rest.use_welcome_posture(skeleton);
     }
@@ -198,7 +199,7 @@ impl ArmPlan {
     }
 }
 
-/// The pieces of a track of which one end is no rest.
+/// Returns the intervals between successive keys, of which at least one end is not at rest.
 fn busy(times: &[f64], is_led: impl Iterator<Item = bool>) -> Vec<(f64, f64)> {
     let led: Vec<bool> = is_led.collect();
     let ends = times.windows(2).zip(led.windows(2));

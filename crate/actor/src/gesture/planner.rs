@@ -1,4 +1,4 @@
-//! From phrases to nodes of wrist, hand and fingers: preparation, holds, co-articulation,
+//! Conversion from phrases to nodes of wrist, hand and fingers: preparation, holds, coarticulation,
 //! retraction.
 
 mod flow;
@@ -41,7 +41,7 @@ const FREE: Transition = Transition {
     space: None,
 };
 
-/// Planner output for a script.
+/// Output of the planner for one arm: wrist, hand and finger tracks, and the planned keys.
 pub(super) struct PlannerOutput {
     pub(super) wrist: WristTrack,
     pub(super) hand: HandTrack,
@@ -49,7 +49,7 @@ pub(super) struct PlannerOutput {
     pub(super) keys: Vec<PlannedKey>,
 }
 
-/// A scripted place as planned.
+/// Scripted hand key with its planned arrival, for reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannedKey {
     /// Scripted arrival time, story time, seconds.
@@ -63,7 +63,7 @@ pub struct PlannedKey {
     pub begins_stroke: bool,
 }
 
-/// Plans one arm, phrase after phrase.
+/// Planner of the gesture motion of one arm; processes its phrases in order of time.
 pub(super) struct Planner<'a> {
     rig: &'a ArmRig,
     space: &'a BodySpace,
@@ -182,7 +182,7 @@ impl<'a> Planner<'a> {
         latest
     }
 
-    /// A return to rest that cannot be finished before `first` is not begun.
+    /// Removes a planned return to rest that cannot be completed before time `first`, seconds.
     fn take_back_returns(&mut self, first: f64) {
         let out = &mut self.out;
         while out.wrist.nodes.len() > 1
@@ -195,7 +195,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// The time up to which everything is planned.
+    /// Returns the time up to which the motion is planned, seconds.
     fn planned_secs(&self) -> f64 {
         self.out.wrist.last_secs().max(self.out.hand.last_secs())
     }
@@ -213,7 +213,7 @@ impl<'a> Planner<'a> {
             return false;
         }
         if gap <= FLOW_SECS {
-            // Hold until it is time to go.
+            // The hand holds until it must leave.
             let depart = (next - MAX_TRAVEL_SECS)
                 .max(held_until + 0.35 * gap)
                 .min(self.sets_out_secs(phrase));
@@ -275,7 +275,7 @@ impl<'a> Planner<'a> {
             let Some(wrist) = key.wrist_in_world else {
                 continue;
             };
-            // The way to the first key of a stroke is preparation, and no part of its course.
+            // The path to the first key of a stroke is preparation and not part of its course.
             let first = Some(key.time_secs) == phrase.first(has_wrist);
             let prepared = first && !phrase.includes_approach(WRIST);
             let course = if prepared { FREE } else { key.wrist_course };
@@ -318,7 +318,7 @@ impl<'a> Planner<'a> {
             let first = Some(time) == phrase.first(has_shape);
             let prepared = first && !phrase.includes_approach(SHAPE);
             if first {
-                // Fingers form on the way of the hand, not while it holds before.
+                // Fingers form during the hand's motion, not during the preceding hold.
                 let mut moves = self.out.wrist.times.iter().rev();
                 let leaves = moves.find(|t| **t < time - 0.05).copied();
                 let leaves = leaves
@@ -455,7 +455,7 @@ impl<'a> Planner<'a> {
         if self.out.wrist.last().is_some() {
             self.retract();
         } else if let Some(shape) = self.out.fingers.last() {
-            // Fingers that gestured alone.
+            // The fingers gesture without the wrist.
             let from = self.out.fingers.last_secs();
             let until = from + HOLD_SECS;
             self.out.fingers.push(until, Some(shape), None);

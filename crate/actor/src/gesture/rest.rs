@@ -1,8 +1,8 @@
-//! Where the hands are when they have nothing to say.
+//! Rest positions of the hands.
 //!
-//! Two postures: arms hanging at the sides, and hands held loosely in front of the
-//! belly. Both arms follow one seeded schedule, so that they change together; a place at
-//! rest is therefore a function of time.
+//! Two postures: arms hanging at the sides, and hands held loosely in front of the belly. Both arms
+//! follow one seeded schedule, so that they change simultaneously; the rest position is therefore a
+//! function of time.
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::{DQuat, DVec3, Side, noise};
@@ -21,16 +21,17 @@ const HANGING_SHARE: f64 = 0.4;
 const RANDOM_POSTURE: u64 = 0x5e57;
 const RANDOM_DRIFT: u64 = 0xd21f7;
 
-/// A hand at rest, relative to the zero pose of the trunk.
+/// Pose of a resting hand, relative to the trunk in the zero pose.
 #[derive(Clone, Copy, Debug)]
 pub struct RestingHand {
-    /// Wrist, metres.
+    /// Position of the wrist, metres.
     pub wrist: DVec3,
-    /// Hand rotation.
+    /// Rotation of the hand ([`crate::palm`]).
     pub hand: DQuat,
 }
 
-/// The postures of rest of one arm of a figure.
+/// Rest postures of one arm of a figure, arms hanging or hands in front of the belly, with the
+/// seeded schedule of changes between them.
 #[derive(Clone, Debug)]
 pub struct RestPostures {
     hanging: RestingHand,
@@ -41,7 +42,7 @@ pub struct RestPostures {
 }
 
 impl RestPostures {
-    /// Adapts the rest postures to a figure.
+    /// Adapts the rest postures to the measures of a figure.
     #[must_use]
     pub fn new(skeleton: &Skeleton, rig: &ArmRig, life: &IdleSettings) -> Self {
         let (side, space) = (rig.side(), rig.space());
@@ -50,7 +51,8 @@ impl RestPostures {
         let out = |x: f64, y: f64, z: f64| DVec3::new(x * sign, y, z);
         let shoulder = rig.shoulder_in_world();
         // Hanging: the elbow bent by some 25°, the hand a little before the thigh.
-        let outwards = (shoulder.x.abs() + 0.035 * scale).max(space.half_width_m() + 0.03 * scale);
+        let outwards = (shoulder.x.abs() + 0.035 * scale)
+            .max(space.wrist_column_half_width_m() + 0.03 * scale);
         let drop = rig.reach_m() * 0.955;
         let hanging = DVec3::new(
             sign * outwards,
@@ -59,7 +61,8 @@ impl RestPostures {
         );
         let waist = space.waist_m();
         let front = space.front_m(waist);
-        // In front: the fingertips nearly meet, the dominant hand a little before the other.
+        // In the front posture, the fingertips nearly meet, with the dominant hand slightly in
+        // front.
         let nearer = if side == life.dominant { 0.02 } else { 0.0 };
         let in_front = DVec3::new(
             sign * 0.16 * scale,
@@ -103,14 +106,15 @@ impl RestPostures {
         (self.hanging, self.in_front) = (open, open);
     }
 
-    /// The hand at rest at a time, relative to the trunk of the zero pose.
+    /// Returns the pose of the resting hand at a story time, relative to the trunk in the zero
+    /// pose.
     #[must_use]
     pub fn sample(&self, time_secs: f64) -> RestingHand {
         let s = self.front_share(time_secs);
         let size = 0.004 * self.life.amount;
         let seed = self.life.seed ^ RANDOM_DRIFT;
         let drift = |id| size * noise::perlin(seed, id, 0.23 * time_secs);
-        // A left-hander drifts as a right-hander does in a mirror.
+        // The drift of a left-hander mirrors that of a right-hander.
         let (side, sign) = match self.life.dominant {
             Side::Right => (self.side, 1.0),
             Side::Left => (self.side.opposite(), -1.0),
@@ -130,19 +134,20 @@ impl RestPostures {
         self.ready
     }
 
-    /// Fingers at rest.
+    /// Returns the finger angles of a relaxed hand.
     #[must_use]
     pub fn shape() -> HandAngles {
         *HandShape::RELAXED.angles()
     }
 
-    /// 0 hanging, 1 in front.
+    /// Returns the weight of the posture in front of the belly, 0 (arms hanging) to 1.
     fn front_share(&self, time_secs: f64) -> f64 {
         let posture = |bucket: i64| {
             let u = noise::unit(self.life.seed, RANDOM_POSTURE, bucket);
             if u < HANGING_SHARE { 0.0 } else { 1.0 }
         };
-        // A story does not begin with a change; the less lively, the longer a posture lasts.
+        // A story does not begin with a posture change; a less lively character holds a posture
+        // longer.
         let phase = time_secs * self.life.amount + 0.4 * KEEP_SECS;
         let bucket = (phase / KEEP_SECS).floor();
         let since = (phase - bucket * KEEP_SECS) / self.life.amount.max(1e-6);

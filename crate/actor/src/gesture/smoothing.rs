@@ -1,10 +1,10 @@
-//! Arms that do not snap: where the solution of an arm for its gesture jumps, a way through its
-//! joints is written down when the gestures are planned.
+//! Arm smoothing: the planner records a path in joint space where the solution of an arm for its
+//! gesture jumps.
 //!
-//! A palm that the forearm cannot turn as it is asked to, or a place that is out of reach, is met as nearly
-//! as it can be, and while a hand goes on quickly the nearest way may change at once. Over a stretch of time
-//! around that, the joints go smoothly from those before to those after it. Evaluation stays a
-//! function of time.
+//! A palm beyond the range of the forearm or a position out of reach is met as closely as possible.
+//! While the hand moves quickly, the nearest solution may change abruptly. In an interval around
+//! that change, the joints move smoothly from their values before to those after it. Evaluation
+//! stays a function of time.
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::{DQuat, DVec3, Length, Side};
@@ -40,7 +40,7 @@ fn joints(arm: &ArmSolution) -> Joints {
     [arm.scapula, arm.shoulder, arm.elbow, arm.wrist]
 }
 
-/// The greatest turn between joints, radians.
+/// Returns the greatest rotation between corresponding joints of two arms, radians.
 fn turned(a: &Joints, b: &Joints) -> f64 {
     let turns = a.iter().zip(b).map(|(a, b)| a.angle_between(*b));
     turns.fold(0.0, f64::max)
@@ -49,7 +49,7 @@ fn turned(a: &Joints, b: &Joints) -> f64 {
 /// An interval in which joints are guided past a jump.
 #[derive(Clone, Debug)]
 struct SmoothedSpan {
-    /// From when to when the joints jump, story time, seconds.
+    /// Start and end of the jump of the joints, story time, seconds.
     jump: [f64; 2],
     /// The joints then.
     joints: [Joints; 2],
@@ -95,13 +95,14 @@ impl SmoothedSpan {
         let share = minimum_jerk((time_secs - start) / (end - start));
         let turn = |i: usize| before[i].slerp(after[i], share).normalized();
         (arm.scapula, arm.shoulder, arm.elbow) = (turn(0), turn(1), turn(2));
-        // A forearm goes from one end of its range to the other through the middle.
+        // A forearm moves between the ends of its range through the middle.
         let [a, b] = [before[3], after[3]].map(|wrist| WristAngles::from_local(side, wrist));
         arm.wrist = a.lerp(&b, share).rotation(side);
     }
 }
 
-/// Smoothed intervals of one arm, in order of time.
+/// Intervals in which the joints of one arm follow a smooth path because the solution for its
+/// gesture jumps; sorted by time.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct JumpSmoothing {
     stretches: Vec<SmoothedSpan>,
@@ -234,6 +235,9 @@ mod tests {
     fn what_does_not_jump_is_left_alone() {
         let still = |secs: f64| flips(0.5 * secs);
         let calming = JumpSmoothing::find([(0.0, 1.9)].into_iter(), &still);
-        assert!(calming.stretches.is_empty());
+        assert!(
+            calming.stretches.is_empty(),
+            "a motion without jumps needs no smoothing"
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! Wrist and hand rotation over the whole story, each with nodes in its own time.
+//! Wrist and hand rotation over the whole story, each with nodes at its own times.
 
 use raconteur_base::curve::{last_at_or_before, minimum_jerk, smooth};
 use raconteur_base::profile::Profile;
@@ -27,12 +27,12 @@ fn rest_share<T>(place: Option<&T>) -> f64 {
     f64::from(u8::from(place.is_none()))
 }
 
-/// Position of a wrist at one time, and its motion to the next node.
+/// Node of a wrist track: position at one time (`None` at rest) and the motion to the next node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WristNode {
     /// Position; `None` is rest, which moves.
     pub(super) place: Option<DVec3>,
-    /// With which it passes, metres a second.
+    /// Velocity of the wrist at the node, m/s.
     pub(super) velocity: DVec3,
     /// Bulge of the piece that starts here, metres.
     pub(super) arch: DVec3,
@@ -50,7 +50,7 @@ struct ArmSwing {
     errors: [DVec3; 2],
 }
 
-/// Positions of one wrist over time.
+/// Wrist positions of one arm over the whole story.
 #[derive(Clone, Debug, Default)]
 pub(super) struct WristTrack {
     pub(super) times: Vec<f64>,
@@ -59,7 +59,8 @@ pub(super) struct WristTrack {
 }
 
 impl WristTrack {
-    /// The wrist at a time and the share of rest in it; `rest` is where it rests then.
+    /// Returns the wrist position at a time and the share of rest in it, 0 to 1; `rest` is the
+    /// resting position at that time.
     pub(super) fn sample(&self, rig: &ArmRig, time_secs: f64, rest: DVec3) -> (DVec3, f64) {
         let Some((i, s, length)) = piece_at(&self.times, time_secs) else {
             return (rest, 1.0);
@@ -147,7 +148,7 @@ struct HandNode {
     course: Transition,
 }
 
-/// The rotations of one hand.
+/// Hand rotations of one arm over the whole story.
 #[derive(Clone, Debug, Default)]
 pub(super) struct HandTrack {
     pub(super) times: Vec<f64>,
@@ -160,7 +161,8 @@ impl HandTrack {
         self.nodes.iter().map(|node| node.hand.is_some())
     }
 
-    /// The hand rotation at a time, with the wrist where it is, and the share of rest in it.
+    /// Returns the hand rotation at a time for the current wrist position, and the share of rest in
+    /// it, 0 to 1.
     pub(super) fn sample(
         &self,
         rig: &ArmRig,

@@ -1,4 +1,4 @@
-//! How eyes and head turn to the target of the gaze.
+//! Rotation of eyes and head to the gaze target.
 
 use core::f64::consts::PI;
 
@@ -84,7 +84,10 @@ mod tests {
                     (next_yaw - yaw).abs() < 0.02,
                     "{tilt} {i}: {yaw} {next_yaw}"
                 );
-                assert!((next_pitch - pitch).abs() < 0.02);
+                assert!(
+                    (next_pitch - pitch).abs() < 0.02,
+                    "the pitch follows the circling target without a jump"
+                );
             }
         }
     }
@@ -94,9 +97,15 @@ mod tests {
         let eye = DVec3::new(0.03, 1.6, 0.08);
         for target in [DVec3::new(0.4, 1.5, 2.0), DVec3::new(-0.7, 1.9, 2.5)] {
             let (q, _) = eye_towards(&DAffine3::IDENTITY, eye, target, [0.0; 2]);
-            assert!((q * DVec3::Z).angle_between(target - eye) < 1e-6);
+            assert!(
+                (q * DVec3::Z).angle_between(target - eye) < 1e-6,
+                "the eye points at its target"
+            );
         }
         let (q, pitch) = eye_towards(&DAffine3::IDENTITY, eye, eye - DVec3::Z, [0.0; 2]);
-        assert!(q.is_finite() && pitch.abs() <= EYE_MAX_RAD);
+        assert!(
+            q.is_finite() && pitch.abs() <= EYE_MAX_RAD,
+            "the eye rotation is finite and within its limit"
+        );
     }
 }

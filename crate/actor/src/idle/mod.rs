@@ -1,4 +1,4 @@
-//! Unscripted motion: sway, breath, eyes that turn to the target of the gaze.
+//! Unscripted motion: sway, breath, and eyes that turn to the gaze target.
 
 pub mod gaze;
 pub mod stance;

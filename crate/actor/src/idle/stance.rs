@@ -1,7 +1,7 @@
-//! Standing: the weight moves slowly from foot to foot while the feet stay where they are.
+//! Standing: the weight shifts slowly from foot to foot while the feet stay planted.
 //!
-//! The pelvis sways, tilts a little and sinks as far as the legs need to bend; both legs
-//! follow in closed form.
+//! The pelvis sways, tilts slightly and sinks as far as the legs need to bend; both legs follow in
+//! closed form.
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, noise};
@@ -25,7 +25,7 @@ const TILT_RAD: f64 = 0.022;
 /// by about 15° for 9 mm, so a small value suffices.
 const SINK_M: f64 = 0.0008;
 
-/// The legs of a figure.
+/// Standing motion of a figure: shifts the weight between planted feet and solves both legs.
 #[derive(Clone, Debug)]
 pub struct Stance {
     legs: [Leg; 2],
@@ -33,7 +33,8 @@ pub struct Stance {
     seed: u64,
 }
 
-/// Pose-independent measures of one leg of a figure.
+/// Measures of one leg of a figure that do not depend on the pose; solve its joints for a foot
+/// position.
 #[derive(Clone, Debug)]
 pub(crate) struct Leg {
     chain: TwoBone,
@@ -46,7 +47,7 @@ pub(crate) struct Leg {
 }
 
 impl Stance {
-    /// Measures the legs of a skeleton.
+    /// Measures the legs of a skeleton; `seed` selects the random weight shifts.
     #[must_use]
     pub fn new(skeleton: &Skeleton, sex: Sex, seed: u64) -> Self {
         Self {
@@ -108,7 +109,7 @@ impl Stance {
         for (leg, [hip, knee, ankle]) in self.legs.iter().zip(LEG_BONES) {
             let foot = rotation_of(&leg.ankle_in_world);
             let at = leg.ankle_in_world.translation;
-            // The knee keeps looking forward.
+            // The knee stays directed forwards.
             let [h, k, a] = leg.solve(&pelvis_in_world, at, foot, DVec3::Z);
             pose.set(hip, h);
             pose.set(knee, k);
@@ -141,7 +142,7 @@ impl Leg {
         }
     }
 
-    /// World from ankle in the zero pose.
+    /// Returns the transform from ankle to world in the zero pose.
     pub(crate) fn world_from_ankle(&self) -> &DAffine3 {
         &self.ankle_in_world
     }
@@ -158,7 +159,7 @@ impl Leg {
         let sideways = to.x * to.x + to.z * to.z;
         let reach = self.chain.reach_m() - spare_m;
         let most = (reach * reach - sideways).max(0.0).sqrt();
-        // A straight knee is a stiff one: keep a hair's breadth of flexion.
+        // A straight knee is stiff, so a minimal flexion remains.
         (-to.y - most + 1e-4).max(0.0)
     }
 
@@ -176,7 +177,7 @@ impl Leg {
         }
     }
 
-    /// The length of the leg that is stretched, metres.
+    /// Returns the length of the stretched leg, metres.
     pub(crate) fn reach_m(&self) -> f64 {
         self.chain.reach_m()
     }
@@ -251,7 +252,8 @@ mod tests {
             assert!(
                 pose.rotations
                     .iter()
-                    .all(|q| q.is_finite() && q.is_normalized())
+                    .all(|q| q.is_finite() && q.is_normalized()),
+                "all rotations are finite and normalised"
             );
         }
         assert!(worst < 1e-6, "{worst} m");
@@ -269,9 +271,15 @@ mod tests {
             let knee = DVec3::new(0.5 * side.sign(), 0.1, 1.0);
             let solved = leg.solve(&pelvis, at, foot, knee);
             let (there, turned, looks) = leg.placed(&pelvis, solved);
-            assert!(there.distance(at) < 1e-9 && turned.angle_between(foot) < 1e-6);
+            assert!(
+                there.distance(at) < 1e-9 && turned.angle_between(foot) < 1e-6,
+                "the ankle solved again is where it was"
+            );
             for (q, again) in solved.iter().zip(leg.solve(&pelvis, there, turned, looks)) {
-                assert!(q.angle_between(again) < 1e-6);
+                assert!(
+                    q.angle_between(again) < 1e-6,
+                    "the hip solved again has the same rotation"
+                );
             }
         }
     }

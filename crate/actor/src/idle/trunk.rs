@@ -1,4 +1,4 @@
-//! Spine, neck and shoulders: posture, noise, breath and the head's own unrest.
+//! Spine, neck and shoulders: posture, noise, breath and small head motion.
 
 use raconteur_base::curve::last_at_or_before;
 use raconteur_base::order::sort_by_number;
@@ -12,7 +12,7 @@ const BREATH_HZ: f64 = 0.25;
 /// Increase of the breathing rate while speaking, Hz. Designed.
 const BREATH_SPEAKING_HZ: f64 = 0.07;
 
-/// Speech intervals as needed by the trunk motion.
+/// Speech intervals of a story; they make breath and head motion livelier during speech.
 #[derive(Clone, Debug, Default)]
 pub struct SpeechRhythm {
     /// Beginning of each utterance, ascending, seconds.
@@ -23,7 +23,7 @@ pub struct SpeechRhythm {
 }
 
 impl SpeechRhythm {
-    /// From spans of speech (seconds, any order).
+    /// Creates the rhythm from intervals of speech (start and end, seconds, in any order).
     #[must_use]
     pub fn new(spans: &[(f64, f64)]) -> Self {
         let mut spans = spans.to_vec();
@@ -46,7 +46,8 @@ impl SpeechRhythm {
         })
     }
 
-    /// 1 during speech, 0 far from it, with half a second to either side.
+    /// Returns the proximity of speech at a time: 1 during speech, falling to 0 half a second
+    /// before and after it.
     #[must_use]
     pub fn speaking(&self, time_secs: f64) -> f64 {
         let near = |i: usize| {
@@ -62,7 +63,7 @@ impl SpeechRhythm {
     }
 }
 
-/// The trunk's own motion.
+/// Idle motion of trunk, shoulders and head: breathing and seeded noise.
 #[derive(Clone, Copy, Debug)]
 pub struct TrunkMotion {
     /// Seed of the performance.
@@ -70,7 +71,7 @@ pub struct TrunkMotion {
 }
 
 impl TrunkMotion {
-    /// Depth of breath at a time: −1 out to 1 in where `breathing` is calm.
+    /// Returns the breath at a time, −1 (exhaled) to 1 (inhaled) if `breathing` is calm.
     #[must_use]
     pub fn breath(&self, rhythm: &SpeechRhythm, time_secs: f64, breathing: &Breathing) -> f64 {
         let turns = BREATH_HZ * (time_secs + breathing.lead_secs)
@@ -95,7 +96,7 @@ impl TrunkMotion {
         let n = |id: u64, hz: f64| noise::perlin(self.seed, stream::SPINE + id, hz * time_secs);
         let breath = self.breath(rhythm, time_secs, breathing);
         let lively = 0.6 + 0.4 * rhythm.speaking(time_secs);
-        // The spine rights what the pelvis tilts, so that the head stays over the feet.
+        // The spine compensates the tilt of the pelvis, so that the head stays over the feet.
         let lean = amount * (0.012 * n(0, 0.23) * lively) + 0.012;
         let roll = amount * (0.010 * n(1, 0.17) - 0.016 * weight);
         let yaw = amount * (0.022 * n(2, 0.15) * lively - 0.01 * weight);
@@ -106,7 +107,7 @@ impl TrunkMotion {
         [lumbar, spine(lean, roll, yaw)]
     }
 
-    /// Rise of one shoulder, radians; `side_id` 0 or 1.
+    /// Returns the elevation of one shoulder, radians; `side_id` is 0 for left, 1 for right.
     #[must_use]
     pub fn shrug(
         &self,
@@ -121,8 +122,8 @@ impl TrunkMotion {
         amount * (0.011 * breath + 0.014 * slow)
     }
 
-    /// The head's rotation against the chest from noise: pitch (positive down), roll and
-    /// yaw, radians.
+    /// Returns the noise rotation of the head relative to the chest: pitch (positive down), roll
+    /// and yaw, radians.
     #[must_use]
     pub fn head_motion(&self, rhythm: &SpeechRhythm, time_secs: f64, amount: f64) -> DVec3 {
         let n = |id: u64, hz: f64| noise::perlin(self.seed, stream::HEAD + id, hz * time_secs);
@@ -134,9 +135,8 @@ impl TrunkMotion {
     }
 }
 
-/// Local rotation of a bone of the spine, neck or skull: lean (positive forward), roll
-/// (positive to the left) and yaw (positive to the left), radians. Local x is up, y
-/// front, z left.
+/// Returns the local rotation of a bone of spine, neck or skull from lean (positive forward), roll
+/// and yaw (positive to the left), radians. Local x is up, y front, z left.
 #[must_use]
 pub fn spine(lean_rad: f64, roll_rad: f64, yaw_rad: f64) -> DQuat {
     DQuat::from_rotation_x(yaw_rad)
@@ -152,9 +152,18 @@ mod tests {
     fn spine_angles_turn_the_way_they_say() {
         // In the local frame x is up, y front, z left.
         let up = DVec3::X;
-        assert!((spine(0.3, 0.0, 0.0) * up).y > 0.2);
-        assert!((spine(0.0, 0.3, 0.0) * up).z > 0.2);
-        assert!((spine(0.0, 0.0, 0.3) * DVec3::Y).z > 0.2);
+        assert!(
+            (spine(0.3, 0.0, 0.0) * up).y > 0.2,
+            "the first spine angle tilts upwards"
+        );
+        assert!(
+            (spine(0.0, 0.3, 0.0) * up).z > 0.2,
+            "the second spine angle tilts forwards"
+        );
+        assert!(
+            (spine(0.0, 0.0, 0.3) * DVec3::Y).z > 0.2,
+            "the third spine angle turns forwards"
+        );
     }
 
     #[test]
@@ -175,7 +184,13 @@ mod tests {
         let r = SpeechRhythm::new(&[(1.0, 2.0), (5.0, 6.0)]);
         assert_eq!(r.speaking(1.5), 1.0);
         assert_eq!(r.speaking(3.5), 0.0);
-        assert!(r.speaking(2.25) > 0.4 && r.speaking(4.75) > 0.4);
-        assert!((r.spoken_before(5.5) - 1.5).abs() < 1e-12);
+        assert!(
+            r.speaking(2.25) > 0.4 && r.speaking(4.75) > 0.4,
+            "speech has faded in and has not faded out"
+        );
+        assert!(
+            (r.spoken_before(5.5) - 1.5).abs() < 1e-12,
+            "the time spoken before 5.5 s"
+        );
     }
 }

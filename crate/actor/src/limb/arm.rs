@@ -1,9 +1,9 @@
-//! One arm by its wrist: place of the wrist and rotation of the hand to joint rotations, in
-//! closed form (GEVH section 3.3.2.1: two links and a spherical wrist; targets outside the
-//! workspace are projected onto it). So gestures and animations lead an arm; manipulators
-//! lead it by its joints ([`crate::manipulator`]), through the same girdle, chain, swivel and limits.
+//! Arm solver: converts wrist position and hand rotation to joint rotations in closed form (GEVH
+//! section 3.3.2.1: two links and a spherical wrist; targets outside the workspace are projected
+//! onto it). Gestures and animations drive an arm by its wrist; manipulators drive it by its joints
+//! ([`crate::manipulator`]), through the same girdle, chain, swivel and limits.
 //!
-//! Every solution is a function of the goal alone, smooth where it can be:
+//! Every solution is a function of the goal alone and smooth where possible:
 //! - the girdle rises and reaches with the arm ([`Girdle`]);
 //! - the elbow goes where hand, body and comfort want it ([`super::swivel`]);
 //! - the elbow eases out towards the end of the reach;
@@ -29,7 +29,7 @@ const SOFT_SHARE: f64 = 0.01;
 /// Farthest position that a plan requests, as a share of the reach: more than the trunk's sway.
 const PLANNED_SHARE: f64 = 1.03;
 
-/// The target of an arm.
+/// Target of an arm: wrist position, optional hand rotation, and shoulder elevation.
 #[derive(Clone, Copy, Debug)]
 pub struct ArmGoal {
     /// Position of the wrist, world, metres.
@@ -40,7 +40,7 @@ pub struct ArmGoal {
     pub shrug_rad: f64,
 }
 
-/// Local rotations of one arm's bones and their errors against the goal.
+/// Solved local rotations of one arm's bones, with the remaining errors of wrist and hand.
 #[derive(Clone, Copy, Debug)]
 pub struct ArmSolution {
     /// Rotation of the scapula bone.
@@ -51,7 +51,7 @@ pub struct ArmSolution {
     pub elbow: DQuat,
     /// Rotation of the wrist; its twist about x is the forearm's pronation.
     pub wrist: DQuat,
-    /// Elbow, world, metres.
+    /// Position of the elbow, world, metres.
     pub elbow_in_world: DVec3,
     /// Distance between the wrist and its goal, metres.
     pub error_m: f64,
@@ -63,7 +63,8 @@ pub struct ArmSolution {
 }
 
 impl ArmSolution {
-    /// Writes the rotations into a pose.
+    /// Writes the local rotations of scapula, shoulder, elbow and wrist into a pose, for the arm of
+    /// the given side.
     pub fn apply(&self, side: Side, pose: &mut Pose) {
         let [scapula, shoulder, elbow, wrist] = ARM_BONES[side.index()];
         pose.set(scapula, self.scapula);
@@ -73,7 +74,8 @@ impl ArmSolution {
     }
 }
 
-/// Pose-independent measures of one arm of a figure.
+/// Measures of one arm of a figure that do not depend on the pose; solves its joints for a wrist
+/// and a hand rotation.
 #[derive(Clone, Debug)]
 pub struct ArmRig {
     side: Side,
@@ -100,7 +102,7 @@ impl ArmRig {
         Side::BOTH.map(|side| Arc::new(Self::new(skeleton, side, build)))
     }
 
-    /// Measures one arm of a skeleton.
+    /// Measures the arm on one side of a skeleton.
     #[must_use]
     pub fn new(skeleton: &Skeleton, side: Side, build: &Build) -> Self {
         let zero = Pose::zero();
@@ -117,7 +119,7 @@ impl ArmRig {
         }
     }
 
-    /// The side that the arm is on.
+    /// Returns the side of the body that the arm is on.
     #[must_use]
     pub fn side(&self) -> Side {
         self.side
@@ -129,7 +131,7 @@ impl ArmRig {
         &self.girdle
     }
 
-    /// Its bones and joints.
+    /// Returns the bones and joints of the arm.
     #[must_use]
     pub fn limb(&self) -> &LimbRig {
         &self.limb
@@ -141,19 +143,19 @@ impl ArmRig {
         &self.space
     }
 
-    /// Upper arm and forearm stretched, metres.
+    /// Returns the length of the stretched arm from shoulder to wrist, metres.
     #[must_use]
     pub fn reach_m(&self) -> f64 {
         self.limb.chain.reach_m()
     }
 
-    /// Shoulder joint of the zero pose, world, metres.
+    /// Returns the shoulder joint in the zero pose, world, metres.
     #[must_use]
     pub fn shoulder_in_world(&self) -> DVec3 {
         self.shoulder_in_world
     }
 
-    /// World from thorax in the zero pose.
+    /// Returns the transform from thorax to world in the zero pose.
     #[must_use]
     pub fn world_from_thorax_zero(&self) -> DAffine3 {
         self.thorax_zero_in_world
@@ -274,7 +276,8 @@ impl ArmRig {
         WristAngles::from_local(self.side, self.limb.end_for(lower, target))
     }
 
-    /// The inverse of [`ArmRig::angles_of_hand`].
+    /// Returns the hand rotation, world, of wrist angles at a wrist position, for a natural arm;
+    /// the inverse of [`ArmRig::angles_of_hand`].
     #[must_use]
     pub fn hand_from_angles(&self, wrist_in_world: DVec3, angles: &WristAngles) -> DQuat {
         let lower = self.natural(wrist_in_world).lower;
@@ -292,7 +295,8 @@ impl ArmRig {
         self.solved(&self.thorax_zero_in_world, &goal)
     }
 
-    /// The natural posture for a wrist, with the thorax of the zero pose.
+    /// Returns the natural posture of scapula, shoulder and elbow for a wrist position, world,
+    /// metres, with the thorax in the zero pose.
     #[must_use]
     pub fn posture(&self, wrist_in_world: DVec3) -> ArmPosture {
         let solution = self.natural(wrist_in_world).solution;
@@ -321,7 +325,8 @@ impl ArmRig {
     }
 }
 
-/// Joints of an arm that place its wrist, for interpolation by joint.
+/// Joints of an arm that place its wrist; used to interpolate between wrist positions by joint
+/// angles.
 #[derive(Clone, Copy, Debug)]
 pub struct ArmPosture {
     /// Rotation of the scapula bone.

@@ -1,7 +1,7 @@
-//! The space that the body takes: hands and arms keep out of trunk and head.
+//! Space of the body: hands and arms stay outside trunk and head.
 //!
-//! The trunk is an elliptic column, the head an ellipsoid, both in the zero pose. How far the
-//! front of the column stands out at each height is measured on the figure, where there is one.
+//! The trunk is an elliptic column and the head an ellipsoid, both in the zero pose. The depth of
+//! the column's front at each height is measured on the figure, where available.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DVec3, Length, ops};
@@ -10,13 +10,13 @@ use raconteur_body::{Bone, Figure, Pose, Skeleton};
 
 use crate::kinematics::{rotation_of, world_from_bone};
 
-/// Half width and half depth of the trunk for a stature of 1.7 m, metres; measured at
-/// the chest of an average adult, clothed.
+/// Half width and half depth of the trunk for a stature of 1.7 m, metres; measured at the chest of
+/// an average clothed adult.
 const TRUNK_HALF_AXES_M: [f64; 2] = [0.17, 0.13];
 
 /// Room that a wrist needs, for a stature of 1.7 m, metres.
 const HAND_RADIUS_M: f64 = 0.045;
-/// Half axes of the head (with hair), for a stature of 1.7 m, metres.
+/// Half axes of the head (with hair) for a stature of 1.7 m: x, y, z; metres.
 const HEAD_HALF_AXES_M: [f64; 3] = [0.085, 0.125, 0.105];
 /// Width of the edge in which a hand is eased out, as a share of the half axes.
 const EDGE: f64 = 0.04;
@@ -24,14 +24,15 @@ const EDGE: f64 = 0.04;
 /// Heights at which the trunk's front is measured.
 const LEVELS: usize = 16;
 
-/// Distance of the front of a trunk from its axis, from the hips up to the shoulders, metres.
+/// Depth profile of a trunk: distance of its front from its axis at levels from the hips to the
+/// shoulders, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrunkShape {
     depths_m: [f64; LEVELS],
 }
 
 impl TrunkShape {
-    /// Measures a figure with its clothes.
+    /// Measures the trunk of a figure, including its clothes.
     #[must_use]
     pub fn from_figure(figure: &Figure) -> Self {
         let space = BodySpace::new(&figure.skeleton, None);
@@ -64,7 +65,7 @@ impl TrunkShape {
                 }
             }
         }
-        // What has no skin of its own is as deep as usual.
+        // Heights without skin have the default depth.
         let usual = space.half_depth;
         Self {
             depths_m: depths_m.map(|d| if d > 0.5 * usual { d } else { usual }),
@@ -72,7 +73,8 @@ impl TrunkShape {
     }
 }
 
-/// The body's obstacles for hands, in the zero pose, world, metres.
+/// Obstacles that the body is for its hands, in the zero pose, world, metres: the trunk as an
+/// elliptic column, the head as an ellipsoid.
 #[derive(Clone, Copy, Debug)]
 pub struct BodySpace {
     axis_z: f64,
@@ -84,7 +86,7 @@ pub struct BodySpace {
     fade: f64,
     /// Middle of the head.
     head: DVec3,
-    /// The same from the skull's joint, skull axes.
+    /// Centre of the head relative to the skull's joint, skull axes, metres.
     head_in_skull: DVec3,
     head_half_axes: DVec3,
     /// Stature over 1.7 m.
@@ -121,37 +123,39 @@ impl BodySpace {
         }
     }
 
-    /// Stature over 1.7 m.
+    /// Returns the ratio of the figure's stature to 1.7 m.
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// Middle of the head in the zero pose, world, metres.
+    /// Returns the centre of the head in the zero pose, world, metres.
     #[must_use]
     pub fn head(&self) -> DVec3 {
         self.head
     }
 
-    /// Middle of the head from the skull's joint, skull axes, metres.
+    /// Returns the centre of the head relative to the skull's joint, skull axes, metres.
     #[must_use]
     pub fn head_in_skull(&self) -> DVec3 {
         self.head_in_skull
     }
 
-    /// Half width of the column for a wrist, metres.
+    /// Returns the half width of the column around the trunk that a wrist must stay out of, metres;
+    /// includes the thickness of the hand.
     #[must_use]
-    pub fn half_width_m(&self) -> f64 {
+    pub fn wrist_column_half_width_m(&self) -> f64 {
         self.half_width + self.hand
     }
 
-    /// Frontmost z of the column for a wrist at a height, metres.
+    /// Returns the greatest z at height `y` of the column that a wrist must stay out of, world,
+    /// metres.
     #[must_use]
     pub fn front_m(&self, y: f64) -> f64 {
         self.axis_z + self.depth_m(y) + self.hand
     }
 
-    /// Height of the waist, metres.
+    /// Returns the height of the waist in the zero pose, world, metres.
     #[must_use]
     pub fn waist_m(&self) -> f64 {
         self.waist
@@ -190,7 +194,7 @@ impl BodySpace {
     /// Returns the depth in the trunk of a point with clearance `room_m`, as a share of the half
     /// axes: 1 in the middle, 0 outside.
     pub(super) fn depth_in_trunk(&self, p: DVec3, room_m: f64) -> f64 {
-        // Most of an arm is beside the trunk, and needs no measure of its depth there.
+        // Most of an arm is next to the trunk, where its depth is not needed.
         if p.x.abs() >= self.half_width + room_m {
             return 0.0;
         }
@@ -251,7 +255,8 @@ impl BodySpace {
         self.head + u * target * half_axes
     }
 
-    /// 1 at the height of the trunk, fading to 0 above the shoulders and below the hips.
+    /// Returns the effect of the trunk at height `y`: 1 along the trunk, fading to 0 above the
+    /// shoulders and below the hips.
     fn height_share(&self, y: f64) -> f64 {
         let above = 1.0 - smooth((y - self.top) / self.fade);
         let below = smooth((y - self.bottom + self.fade) / self.fade);
@@ -259,7 +264,7 @@ impl BodySpace {
     }
 }
 
-/// max(r, 1) with its corner rounded within ±[`EDGE`].
+/// Returns max(r, 1) with its corner rounded within ±[`EDGE`].
 fn eased(r: f64) -> f64 {
     let x = r - 1.0;
     if x >= EDGE {
@@ -290,10 +295,13 @@ mod tests {
                 let near = DVec3::new(p.x / 0.30, 0.0, (p.z - space.axis_z) / 0.25).length();
                 let half_axes = space.head_half_axes + DVec3::splat(space.hand);
                 let head = ((p - space.head) / half_axes).length();
-                assert!(near < 1.05 || head < 1.05);
+                assert!(
+                    near < 1.05 || head < 1.05,
+                    "the points near the boundary are outside the body"
+                );
             }
         }
-        assert!(moved > 100);
+        assert!(moved > 100, "more than 100 points move");
     }
 
     #[test]

@@ -1,11 +1,10 @@
-//! One limb: its joints on the bones of a figure.
+//! Limb: its joints on the bones of a figure.
 //!
-//! GEVH table 3.1 in the axes of this module: the base has x down, y left and z to the
-//! front. Joint 1 turns about z (abduction), joints 2 and 3 about the sideways axis
-//! (flexion of shoulder and elbow), joint 4 about the forearm, joints 5 and 6 about the two
-//! axes across the wrist. The seventh turns the upper bone about itself. Bones of real
-//! figures do not lie exactly on the table's axes; the offsets are kept, so that the
-//! skeleton's joint is where the solution says.
+//! GEVH table 3.1 in the axes of this module: in the base, x is down, y left and z front. Joint 1
+//! turns about z (abduction), joints 2 and 3 about the sideways axis (flexion of shoulder and
+//! elbow), joint 4 about the forearm, joints 5 and 6 about the two axes across the wrist. The
+//! seventh turns the upper bone about itself. Bones of real figures do not lie exactly on the
+//! table's axes; the offsets are stored, so that the skeleton's joint is at the solved position.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -17,12 +16,12 @@ use super::two_bone::TwoBone;
 use super::{ARM_BONES, Joints, LEG_BONES, Limb, RigidFrame};
 use crate::kinematics::{rotation_of, world_from_bone};
 
-/// Index of the seventh joint.
+/// Index of the seventh joint, the axial rotation of the upper bone, in [`Joints`].
 pub const ROLL: usize = 6;
 /// Joints of wrist or ankle.
 pub(crate) const END: core::ops::Range<usize> = 3..ROLL;
 
-/// Base frame of a manipulator at one instant, figure axes.
+/// Base frame of a limb at one time, figure axes; joint angles are measured from it.
 #[derive(Clone, Copy, Debug)]
 pub struct LimbBase {
     /// The first joint, metres.
@@ -33,7 +32,8 @@ pub struct LimbBase {
     pub parent: DQuat,
 }
 
-/// Joint angles made bones.
+/// Result of forward kinematics of a limb: local rotations of its three bones and the frame of its
+/// end.
 #[derive(Clone, Copy, Debug)]
 pub struct PosedLimb {
     /// Local rotations of the upper, lower and end bone.
@@ -42,7 +42,8 @@ pub struct PosedLimb {
     pub frame: RigidFrame,
 }
 
-/// Pose-independent measures of one limb of a figure.
+/// Measures of one limb (arm or leg) of a figure that do not depend on the pose; converts between
+/// joint angles, bone rotations and targets.
 #[derive(Clone, Debug)]
 pub struct LimbRig {
     /// Upper, lower and end bone.
@@ -103,7 +104,7 @@ impl LimbRig {
             axis,
             limits[2].most_rad,
         );
-        // The zero pose: arms stretched out sideways, legs standing.
+        // The zero pose has arms stretched out sideways and standing legs.
         let lifted = if is_arm { sign * FRAC_PI_2 } else { 0.0 };
         let target_zero = base_axes() * DQuat::from_rotation_z(lifted);
         let link_zero = target_zero * DQuat::from_rotation_x(FRAC_PI_2);
@@ -140,19 +141,20 @@ impl LimbRig {
         }
     }
 
-    /// The trunk in a pose.
+    /// Returns the transform from the trunk bone that carries the limb to figure axes in a pose.
     #[must_use]
     pub fn trunk(&self, skeleton: &Skeleton, pose: &Pose) -> DAffine3 {
         world_from_bone(skeleton, pose, self.trunk)
     }
 
-    /// The limits of the joints.
+    /// Returns the limits of the seven joint angles.
     #[must_use]
     pub fn limits(&self) -> &[Limit; 7] {
         &self.limits
     }
 
-    /// Shortest and longest distance of the end from the base, metres.
+    /// Returns the shortest and longest distance between base and end of the limb, metres;
+    /// `within_limits` respects the joint limits.
     #[must_use]
     pub fn distances_m(&self, within_limits: bool) -> [f64; 2] {
         self.chain.distances_m(within_limits)
@@ -168,7 +170,7 @@ impl LimbRig {
         }
     }
 
-    /// Rotation of the first links, base from the table's second frame.
+    /// Returns the rotation of the upper bone's link for joint angles 1, 2 and 7, base frame.
     pub(crate) fn link(&self, joints: &Joints) -> DQuat {
         let s = self.signs();
         DQuat::from_rotation_z(s[0] * joints[0])
@@ -177,7 +179,8 @@ impl LimbRig {
             * DQuat::from_rotation_x(s[ROLL] * joints[ROLL])
     }
 
-    /// Rotation of the wrist or ankle, in the target frame's axes.
+    /// Returns the rotation of wrist or ankle for joint angles 4, 5 and 6, in the axes of the
+    /// target frame.
     pub(super) fn turn(&self, joints: &Joints) -> DQuat {
         let s = self.signs();
         DQuat::from_rotation_x(s[3] * joints[3])
@@ -193,7 +196,7 @@ impl LimbRig {
         upper.max(end).max(bend)
     }
 
-    /// Forward kinematics: the bones and the end for joint angles.
+    /// Computes the forward kinematics: bone rotations and end frame for joint angles.
     #[must_use]
     pub fn posed(&self, joints: &Joints, base: &LimbBase) -> PosedLimb {
         let upper = base.rotation * self.link(joints) * self.link_from_upper;
@@ -213,7 +216,8 @@ impl LimbRig {
         }
     }
 
-    /// The rotation of a target that turns the end of the zero pose so, figure axes.
+    /// Returns the orientation of a target, figure axes, that rotates the end by `turn` from its
+    /// zero pose.
     pub(super) fn target_rotation(&self, turn: DQuat) -> DQuat {
         turn * self.target_zero
     }
@@ -225,14 +229,15 @@ impl LimbRig {
         self.turn_on(lower, end)
     }
 
-    /// The same by the local rotation of the end on a lower bone, figure axes.
+    /// Returns the rotation of the end from its zero pose, figure axes, for the rotation of the
+    /// lower bone and the local rotation `end`.
     pub(super) fn turn_on(&self, lower: DQuat, end: DQuat) -> DQuat {
         let end_in_figure = lower * self.end_zero * end;
         end_in_figure * (self.target_zero * self.target_from_end).inverse()
     }
 
-    /// The local rotation of the end bone on a lower bone (figure axes) that turns the end as a
-    /// target is turned.
+    /// Returns the local rotation of the end bone that gives it the orientation of a target;
+    /// `lower` is the rotation of the lower bone (figure axes).
     pub(super) fn end_for(&self, lower: DQuat, target: DQuat) -> DQuat {
         (lower * self.end_zero).inverse() * (target * self.target_from_end)
     }
@@ -252,18 +257,21 @@ impl LimbRig {
         ways[0].min(ways[1])
     }
 
-    /// The hinge of elbow or knee when the first bone is turned so, figure axes, metres.
+    /// Returns the position of elbow or knee for a local rotation of the upper bone, figure axes,
+    /// metres.
     #[must_use]
     pub fn hinge_at(&self, rotation: DQuat, base: &LimbBase) -> DVec3 {
         base.origin + base.parent * self.upper_zero * rotation * self.chain.hinge()
     }
 
-    /// Both sets of joints 1, 2 and 7 that turn the first links so.
+    /// Returns both solutions for joint angles 1, 2 and 7 that give the rotation `link` of the
+    /// upper bone, radians.
     pub(super) fn shoulder_angles(&self, link: DQuat) -> [[f64; 3]; 2] {
         let axes = DMat3::from_quat(link);
         let d = axes.x_axis;
         let level = (d.x * d.x + d.y * d.y).sqrt();
-        // Along the first axis, joint 1 and the last one turn alike: all goes to the last.
+        // Along the first axis, joint 1 and the last joint turn about the same axis; the last joint
+        // takes the whole turn.
         let (c, s) = if level > 1e-9 {
             (d.x / level, d.y / level)
         } else {
@@ -292,13 +300,14 @@ impl LimbRig {
         ]
     }
 
-    /// Both sets of joints 4, 5 and 6 that turn the wrist or ankle so.
+    /// Returns both solutions for joint angles 4, 5 and 6 that give the rotation `turn` of wrist or
+    /// ankle, radians.
     pub(super) fn turn_angles(&self, turn: DQuat) -> [[f64; 3]; 2] {
         let m = DMat3::from_quat(turn);
         let (x, y, z) = (m.x_axis, m.y_axis, m.z_axis);
         let level = (x.x * x.x + y.x * y.x).sqrt();
         let b = ops::atan2(z.x, level);
-        // Where joints 4 and 6 turn about one axis, all goes to joint 6.
+        // If joints 4 and 6 turn about one axis, joint 6 takes the whole turn.
         let (a, c) = if level > 1e-9 {
             (ops::atan2(-z.y, z.z), ops::atan2(-y.x, x.x))
         } else {
@@ -315,7 +324,8 @@ impl LimbRig {
         [out(a, b, c), out(a + PI, PI - b, c + PI)]
     }
 
-    /// The axes of the joints and a point on each, figure axes, for inverse velocity.
+    /// Returns the axis of each joint and a point on it, figure axes; the Jacobian for inverse
+    /// velocity uses them.
     pub(crate) fn axes(&self, joints: &Joints, base: &LimbBase) -> [(DVec3, DVec3); 7] {
         let s = self.signs();
         let lifted = base.rotation * DQuat::from_rotation_z(s[0] * joints[0]);

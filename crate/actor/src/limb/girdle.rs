@@ -1,4 +1,4 @@
-//! The shoulder girdle: how the scapula rises and reaches with the arm that it carries.
+//! Shoulder girdle: the scapula rises and reaches with its arm.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
@@ -26,7 +26,8 @@ const PROTRACTION_ACROSS: f64 = 0.5;
 /// range in which the protraction becomes complete. Designed.
 const SCAPULA_PROTRACTION_REACH: [f64; 2] = [0.5, 0.5];
 
-/// Pose-independent measures of one side's scapula on the thorax.
+/// Measures of one scapula on the thorax that do not depend on the pose; computes the motion of the
+/// shoulder girdle with the arm.
 #[derive(Clone, Debug)]
 pub struct Girdle {
     /// +1 on the left, −1 on the right.
@@ -55,7 +56,8 @@ impl Girdle {
         }
     }
 
-    /// The shoulder joint with the thorax and the scapula turned so, world, metres.
+    /// Returns the shoulder joint for a transform of the thorax and a local rotation of the
+    /// scapula, world, metres.
     #[must_use]
     pub fn shoulder_at(&self, world_from_thorax: &DAffine3, scapula: DQuat) -> DVec3 {
         world_from_thorax.transform_point3(
@@ -100,7 +102,8 @@ impl Girdle {
     }
 }
 
-/// 0 up to the start of a range and 1 after it, smooth in between; `range` is start and length.
+/// Returns 0 below the start of a range and 1 beyond its end, smooth in between; the range is start
+/// and length.
 fn share_of_range(value: f64, [start, length]: [f64; 2]) -> f64 {
     smooth((value - start) / length)
 }

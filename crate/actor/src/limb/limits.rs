@@ -1,4 +1,4 @@
-//! How far joints turn: GEVH appendix B, the 95th percentile of men and women.
+//! Joint limits: GEVH appendix B, the 95th percentile of men and women.
 
 use core::f64::consts::PI;
 
@@ -7,7 +7,7 @@ use raconteur_base::ops;
 
 use super::{Joints, Limb};
 
-/// Sex whose joint limits apply.
+/// Sex whose table of joint limits applies (GEVH appendix B).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sex {
     /// GEVH table B.1; also the default for unknown sex.
@@ -18,7 +18,8 @@ pub enum Sex {
 }
 
 impl Sex {
-    /// The table for a share of female, 0 to 1: the nearer one.
+    /// Returns the sex for a share of female body shape, 0 to 1: female above 0.5, otherwise male;
+    /// male for `None`.
     #[must_use]
     pub fn from_share(share: Option<f64>) -> Self {
         if share.is_some_and(|share| share > 0.5) {
@@ -29,8 +30,8 @@ impl Sex {
     }
 }
 
-/// One person's rows of appendix B, degrees, least and most. X is the axis from back to
-/// front, Y from side to side, Z upright.
+/// Joint limits of one sex from GEVH appendix B, degrees, minimum and maximum. X is the axis from
+/// back to front, Y from side to side, Z upright.
 struct Anthropometry {
     neck: [[f64; 2]; 3],
     cervical: [[f64; 2]; 2],
@@ -71,12 +72,12 @@ const FEMALE: Anthropometry = Anthropometry {
 /// would forbid a palm held down at the waist.
 const PRONATION_SHARE: f64 = 80.0 / 170.0;
 
-/// The least and the most that a joint turns, radians.
+/// Range of a joint angle, radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
-    /// Least angle.
+    /// Minimum angle, radians.
     pub least_rad: f64,
-    /// Greatest angle.
+    /// Maximum angle, radians.
     pub most_rad: f64,
 }
 
@@ -184,7 +185,7 @@ pub fn limits(limb: Limb, sex: Sex) -> [Limit; 7] {
 pub(crate) fn clamp_joints(limits: &[Limit; 7], share: f64, joints: &Joints) -> Joints {
     let mut kept = *joints;
     for (angle, limit) in kept.iter_mut().zip(limits) {
-        // The equal angle within a turn of the limits, so that a share is a short way.
+        // The equivalent angle within a turn of the limits makes a partial change short.
         let within = limit.clamp(*angle);
         let near = limit.wrapped(*angle);
         *angle = if share >= 1.0 {
@@ -217,7 +218,10 @@ mod tests {
                         }
                         if limit.contains(ops::wrap_angle(angle)) {
                             let same = ops::wrap_angle(kept - angle);
-                            assert!(same.abs() < 1e-12);
+                            assert!(
+                                same.abs() < 1e-12,
+                                "an angle within its limits is unchanged"
+                            );
                         }
                     }
                 }
@@ -232,12 +236,30 @@ mod tests {
             [limit.least_rad.to_degrees(), limit.most_rad.to_degrees()]
         };
         let near = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-9;
-        assert!(near(degrees(Limb::LeftArm, Sex::Male, 0), [-63.0, 188.7]));
-        assert!(near(degrees(Limb::RightArm, Sex::Female, 2), [0.0, 165.9]));
-        assert!(near(degrees(Limb::LeftLeg, Sex::Female, 0), [-40.15, 53.0]));
-        assert!(near(degrees(Limb::RightLeg, Sex::Male, 4), [-19.9, 79.6]));
-        assert!(near(degrees(Limb::Head, Sex::Female, 2), [-109.0, 108.8]));
+        assert!(
+            near(degrees(Limb::LeftArm, Sex::Male, 0), [-63.0, 188.7]),
+            "male left shoulder limits"
+        );
+        assert!(
+            near(degrees(Limb::RightArm, Sex::Female, 2), [0.0, 165.9]),
+            "female right shoulder limits"
+        );
+        assert!(
+            near(degrees(Limb::LeftLeg, Sex::Female, 0), [-40.15, 53.0]),
+            "female left hip limits"
+        );
+        assert!(
+            near(degrees(Limb::RightLeg, Sex::Male, 4), [-19.9, 79.6]),
+            "male right ankle limits"
+        );
+        assert!(
+            near(degrees(Limb::Head, Sex::Female, 2), [-109.0, 108.8]),
+            "female neck limits"
+        );
         let [least, most] = degrees(Limb::LeftArm, Sex::Male, 3);
-        assert!((most - least - 151.9).abs() < 1e-9);
+        assert!(
+            (most - least - 151.9).abs() < 1e-9,
+            "the range between both limits"
+        );
     }
 }

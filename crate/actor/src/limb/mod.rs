@@ -1,15 +1,14 @@
-//! Limbs: arms and legs, what their joints can do, and how they are brought to a target.
+//! Limbs: arms and legs, their joint ranges and the solvers for their targets.
 //!
-//! One solver for all that leads a limb: [`two_bone`] is the hinge between two bones,
+//! All modules that drive a limb share one solver: [`two_bone`] is the hinge between two bones,
 //! [`chain`] the joints of a limb on the bones of a figure, [`solve`] all joint angles for a
-//! target, [`swivel`] where the elbow or knee goes, [`limits`] how far joints turn, [`wrist`]
-//! a wrist as its forearm sees it, [`girdle`] what an arm hangs on, [`body_space`] and
-//! [`obstacles`] what is in its way. Two policies stand on it: [`arm`], which places a wrist
-//! for gestures and animations, and [`crate::manipulator`], which leads limbs by commands.
+//! target, [`swivel`] the position of elbow or knee, [`limits`] the joint ranges, [`wrist`] a wrist
+//! in the frame of its forearm, [`girdle`] the base of an arm, [`body_space`] and [`obstacles`] the
+//! obstacles of an arm. Two policies use it: [`arm`], which places a wrist for gestures and
+//! animations, and [`crate::manipulator`], which drives limbs by commands.
 //!
-//! A limb has the six joints of GEVH table 3.1 and a seventh that the thesis leaves out, the
-//! turn of the upper bone about itself, which lets the elbow or knee swivel while the end
-//! keeps its place.
+//! A limb has the six joints of GEVH table 3.1 and a seventh that the thesis omits: the turn of the
+//! upper bone about itself, which lets the elbow or knee swivel while the end stays in place.
 
 pub mod arm;
 pub mod body_space;
@@ -43,7 +42,7 @@ pub const LEG_BONES: [[Bone; 3]; 2] = [
     [Bone::RHip, Bone::RKnee, Bone::RSubtalar],
 ];
 
-/// Parameters of a figure's build that affect its limbs.
+/// Parameters of a figure's build that affect the motion of its limbs: sex and shape of the trunk.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Build {
     /// Sex, which selects the joint limits.
@@ -53,7 +52,7 @@ pub struct Build {
 }
 
 impl Build {
-    /// Measures a figure with its clothes.
+    /// Measures the build of a figure, including its clothes.
     #[must_use]
     pub fn from_figure(figure: &Figure) -> Self {
         Self {
@@ -63,23 +62,23 @@ impl Build {
     }
 }
 
-/// A limb, or the head.
+/// Limb, or the head, that a manipulator command moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limb {
-    /// From the left shoulder to the wrist.
+    /// Arm from the left shoulder to the wrist.
     LeftArm,
-    /// From the right shoulder to the wrist.
+    /// Arm from the right shoulder to the wrist.
     RightArm,
-    /// From the left hip to the ankle.
+    /// Leg from the left hip to the ankle.
     LeftLeg,
-    /// From the right hip to the ankle.
+    /// Leg from the right hip to the ankle.
     RightLeg,
     /// Neck and skull.
     Head,
 }
 
 impl Limb {
-    /// Every limb, in the order of [`Limb::index`].
+    /// All limbs, in the order of [`Limb::index`].
     pub const ALL: [Self; 5] = [
         Self::LeftArm,
         Self::RightArm,
@@ -88,7 +87,7 @@ impl Limb {
         Self::Head,
     ];
 
-    /// 0 to 4.
+    /// Returns the index of the limb in [`Limb::ALL`], 0 to 4.
     #[must_use]
     pub fn index(self) -> usize {
         self as usize
@@ -113,10 +112,11 @@ impl Limb {
 /// see [`limits::limits`].
 pub type Joints = [f64; 7];
 
-/// A position and an orientation, figure axes or a manipulator's base axes.
+/// Position and orientation of a limb's end or target, in figure axes or the base axes of a
+/// manipulator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidFrame {
-    /// Metres.
+    /// Position, metres.
     pub position: DVec3,
     /// Rotation of the target frame.
     pub rotation: DQuat,
@@ -132,7 +132,7 @@ impl RigidFrame {
         }
     }
 
-    /// The frame moved by a rigid motion.
+    /// Returns the frame transformed by a rigid motion.
     #[must_use]
     pub fn moved(&self, motion: &DAffine3) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! What an arm keeps clear of: trunk and head of its figure, and the other arm.
+//! Obstacles of an arm: trunk and head of its figure, and the other arm.
 
 use raconteur_base::{DAffine3, DVec3};
 
@@ -16,7 +16,7 @@ const COLLISION: f64 = 3.0;
 /// Share of that for the other arm, which moves faster than any other obstacle.
 const OTHER_ARM: f64 = 0.3;
 
-/// Obstacles of an arm, figure axes.
+/// Obstacles that an arm avoids, figure axes: trunk and head of its figure, and the other forearm.
 #[derive(Clone, Copy, Debug)]
 pub struct Obstacles<'a> {
     /// Trunk and head of the figure.
@@ -29,12 +29,12 @@ pub struct Obstacles<'a> {
     pub other_forearm: Option<[DVec3; 2]>,
 }
 
-/// Obstacles prepared for many queries: divisors are stored as factors.
+/// Obstacles of an arm prepared for many distance queries: divisors are stored as factors.
 pub(super) struct Clearance<'a> {
     obstacles: &'a Obstacles<'a>,
     arm_radius_m: f64,
     elbow_m: f64,
-    /// One over the square of the arm's distance from the head's middle.
+    /// Reciprocal of the squared clearance between the arm and the centre of the head.
     head: f64,
     other_arm: Option<OtherArm>,
 }
@@ -95,7 +95,7 @@ impl<'a> Clearance<'a> {
             ]
         };
         let body = self.obstacles.body;
-        // An upper arm that hangs lies against the ribs; its bone is outside them.
+        // A hanging upper arm touches the ribs; its bone is outside them.
         let rooms = [0.0, self.elbow_m, self.arm_radius_m, self.arm_radius_m];
         let places = points(arm).into_iter().zip(points(arm_in_body)).zip(rooms);
         let mut sum = 0.0;

@@ -1,8 +1,8 @@
-//! Inverse kinematics in closed form: all joint angles that bring a limb's end to a target,
-//! by kinematic decoupling, and the choice of one (GEVH section 3.3.2.1 and fig. 3.6).
+//! Inverse kinematics in closed form: all joint angles that bring a limb's end to a target, by
+//! kinematic decoupling, and the selection of one solution (GEVH section 3.3.2.1 and fig. 3.6).
 //!
-//! The last three axes meet in the end, so its place depends on the first joints alone and
-//! is solved first; the last three then make up the orientation.
+//! The last three axes meet in the end effector, so its position depends on the first joints alone
+//! and is solved first; the last three then set the orientation.
 
 use core::f64::consts::PI;
 
@@ -15,7 +15,7 @@ use super::{Joints, RigidFrame, limits};
 /// and two of the wrist.
 pub const MAX_SOLUTIONS: usize = 8;
 
-/// All joint angles that reach a target.
+/// Joint angle sets that reach a target, found by inverse kinematics in closed form.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Solutions {
     joints: [Joints; MAX_SOLUTIONS],
@@ -23,7 +23,7 @@ pub struct Solutions {
 }
 
 impl Solutions {
-    /// The sets of angles, each in −π..π.
+    /// Returns the joint angle sets, each angle in −π..π.
     #[must_use]
     pub fn as_slice(&self) -> &[Joints] {
         &self.joints[..self.count]
@@ -51,7 +51,7 @@ impl Solutions {
     }
 }
 
-/// Criteria for choosing between solutions, in the order of the thesis's filters.
+/// Criteria for choosing one of several joint angle sets, in the order of the filters in GEVH.
 #[derive(Clone, Copy, Debug)]
 pub struct SolutionCriteria<'a> {
     /// Weight of the joint limits, 0 to 1.
@@ -159,7 +159,8 @@ impl LimbRig {
         found
     }
 
-    /// Both sets of wrist angles for a turned upper bone (figure axes).
+    /// Returns both solutions for the wrist angles, radians, for a rotation of the upper bone
+    /// (figure axes), a flexion of the hinge and a target rotation.
     fn wrist_for(&self, upper: DQuat, flexion: f64, rotation: DQuat) -> [[f64; 3]; 2] {
         let lower = upper * self.chain.zero() * self.chain.flexed(flexion);
         self.turn_angles((lower * self.lower_from_target).inverse() * rotation)
@@ -176,7 +177,7 @@ impl LimbRig {
         }
     }
 
-    /// Chooses among solutions, see [`choose`].
+    /// Chooses one of the solutions for a target, see [`choose`].
     #[must_use]
     pub fn choose(
         &self,
@@ -251,8 +252,8 @@ impl LimbRig {
     #[must_use]
     pub fn error(&self, raw: &Joints, kept: &Joints, target: &RigidFrame, base: &LimbBase) -> f64 {
         if [0, 1, 2, ROLL].iter().all(|&i| same(raw[i], kept[i])) {
-            // The end is in its place; the square of a rotation's matrix less one is
-            // 8 sin² of half its angle.
+            // The end effector is in place; the squared norm of its rotation matrix minus the
+            // identity is 8 sin² of half the angle.
             let cosine = self.turn(raw).dot(self.turn(kept));
             return 8.0 * (1.0 - cosine * cosine).max(0.0);
         }

@@ -1,9 +1,10 @@
-//! The seventh degree of freedom: where the elbow or knee goes while the end keeps its place.
+//! Swivel angle, the seventh degree of freedom: the position of the elbow or knee while the end
+//! effector stays in place.
 //!
-//! Some directions around the line from shoulder to wrist are weighed by comfort, by the
-//! strain of the wrist and by how deep the arm would lie in torso, head or the other arm;
-//! their mean, weighted by that, is taken. The mean is a smooth function of the target,
-//! where the best single direction would jump.
+//! Directions around the line from shoulder to wrist are weighted by comfort, by the strain of the
+//! wrist and by the penetration of the arm into torso, head or the other arm. The result is their
+//! weighted mean. The mean is a smooth function of the target; the best single direction would
+//! jump.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -45,14 +46,16 @@ const BACKWARDS: f64 = 0.45;
 /// body or beyond the limits of the shoulder.
 const PREFERRED: f64 = 1.5;
 
-/// Preferred joint angles with their weights, 0 to 1.
+/// Preferred joint angles with their weights, 0 to 1; they influence the swivel angle of elbow or
+/// knee.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct JointPreference(pub [(Option<Joints>, f64); 2]);
 
-/// Criteria for the position of elbow or knee.
+/// Criteria for the swivel angle of elbow or knee: obstacles, preferred joint angles, and
+/// relaxation.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SwivelCriteria<'a> {
-    /// Obstacles.
+    /// Obstacles that the arm avoids; `None` to ignore them.
     pub obstacles: Option<&'a Obstacles<'a>>,
     /// The user's preference; has priority over comfort (GEVH 3.3.2.1).
     pub preference: JointPreference,
@@ -71,7 +74,8 @@ fn likelihood(effort: f64) -> f64 {
     power
 }
 
-/// The mean of the swivels by how likely each is.
+/// Returns the mean of the candidate swivel angles, radians, weighted by the likelihood of their
+/// efforts.
 fn mean_swivel(efforts: &[f64; CANDIDATES]) -> f64 {
     // From the least: where every direction is bad they still differ.
     let least = efforts.iter().copied().fold(f64::INFINITY, f64::min);
@@ -93,7 +97,7 @@ struct SwivelCircle {
     /// Distance of the elbow's circle from the shoulder, and its radius, metres.
     along_m: f64,
     radius_m: f64,
-    /// One over the length of the lower limb.
+    /// Reciprocal of the length of the limb's lower bone.
     per_lower: f64,
     /// The x and y axes of hand or foot.
     end_axes: [DVec3; 2],
@@ -106,8 +110,8 @@ impl SwivelCircle {
 }
 
 impl LimbRig {
-    /// The natural direction of the elbow or knee for a direction of the end, and that
-    /// direction turned by a right angle in the sense of a lift; unit, figure axes.
+    /// Returns the natural direction of elbow or knee for a direction of the limb's end, and that
+    /// direction lifted by a right angle; unit vectors, figure axes.
     fn natural(&self, direction: DVec3, base: &LimbBase) -> [DVec3; 2] {
         // The base has x down, y left and z to the front.
         let body = base.rotation * DQuat::from_rotation_z(FRAC_PI_2);
@@ -125,8 +129,8 @@ impl LimbRig {
         [first, direction.cross(first) * self.sign]
     }
 
-    /// The line from the base to a target, and around it the natural direction of elbow or
-    /// knee and that direction lifted by a right angle.
+    /// Returns the direction from base to target, the natural direction of elbow or knee around it,
+    /// and that direction lifted by a right angle; unit vectors, figure axes.
     fn axes_for(&self, target: &RigidFrame, base: &LimbBase) -> [DVec3; 3] {
         let direction = (target.position - base.origin)
             .try_normalized()
@@ -135,8 +139,8 @@ impl LimbRig {
         [direction, first, second]
     }
 
-    /// The direction of the elbow or knee (unit, across the line to the target, figure axes)
-    /// for a swivel, radians from the natural direction.
+    /// Returns the direction of elbow or knee for a swivel angle, radians from the natural
+    /// direction; a unit vector across the line to the target, figure axes.
     #[must_use]
     pub fn elbow_at(&self, target: &RigidFrame, base: &LimbBase, swivel_rad: f64) -> DVec3 {
         let [_, first, second] = self.axes_for(target, base);
@@ -144,7 +148,8 @@ impl LimbRig {
         first * c + second * s
     }
 
-    /// The swivel of an elbow or knee in a direction from the base, radians.
+    /// Returns the swivel angle of an elbow or knee in direction `hinge` from the base, radians
+    /// from the natural direction.
     #[must_use]
     pub fn swivel_of(&self, hinge: DVec3, target: &RigidFrame, base: &LimbBase) -> f64 {
         let [_, first, second] = self.axes_for(target, base);
@@ -232,13 +237,13 @@ impl LimbRig {
         [unit.dot(first), unit.dot(second)]
     }
 
-    /// Square of the angle by which an upper arm (base axes, any length) is beyond the limits of
-    /// the shoulder.
+    /// Returns the squared angle by which an upper arm in direction `upper` (base axes, any length)
+    /// exceeds the shoulder's limits.
     fn excess_squared(&self, upper: DVec3) -> f64 {
         let level = (upper.x * upper.x + upper.y * upper.y).sqrt();
         let aside = self.sign * ops::atan2(upper.y, upper.x);
         let forth = ops::atan2(upper.z, level);
-        // Both ways to turn the shoulder.
+        // Both solutions of the shoulder turn.
         let ways = [[aside, forth], [aside + PI, PI - forth]];
         let off = ways.map(|way| {
             let off = |i: usize| {
@@ -259,7 +264,8 @@ impl LimbRig {
         let fore = (circle.wrist - circle.elbow(outwards)) * circle.per_lower;
         let [hand, side] = circle.end_axes;
         let bend = (1.0 - FREE_BEND - fore.dot(hand)).max(0.0);
-        // The hinge lies across limb and elbow; a hand at rest has its y axis along it.
+        // The hinge is perpendicular to limb and elbow direction; a hand at rest has its y axis
+        // along it.
         let facing = if self.is_arm { 1.0 } else { -1.0 };
         let hinge = circle.direction.cross(outwards) * facing;
         let across = side - fore * fore.dot(side);
@@ -268,8 +274,8 @@ impl LimbRig {
     }
 }
 
-/// Direction of the elbow from the line between shoulder and wrist that is natural for a
-/// wrist in a direction (unit) from the shoulder, both in body axes; not unit. `sign` is +1 on the
+/// Returns the natural direction of the elbow, away from the line between shoulder and wrist, for a
+/// wrist in a unit direction from the shoulder; body axes, not normalised. `sign` is +1 on the
 /// left, −1 on the right.
 fn natural_elbow(sign: f64, direction_in_body: DVec3) -> DVec3 {
     let mirrored = |v: DVec3| DVec3::new(v.x * sign, v.y, v.z);

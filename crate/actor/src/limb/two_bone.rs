@@ -1,9 +1,9 @@
-//! Two bones and the hinge between them, solved in closed form: what arms and legs share.
+//! Closed-form solution of two bones and the hinge between them, shared by arms and legs.
 
 use raconteur_base::{DMat3, DQuat, DVec3, Length, ops};
 
-/// A chain of two bones with a hinge between them: all lengths and directions that do not
-/// change with the pose.
+/// Chain of two bones with a hinge between them (arm or leg), solved in closed form; holds the
+/// lengths and directions that do not depend on the pose.
 #[derive(Clone, Copy, Debug)]
 pub struct TwoBone {
     /// Hinge in the upper bone's frame, metres.
@@ -23,7 +23,7 @@ pub struct TwoBone {
 }
 
 impl TwoBone {
-    /// A chain whose lower bone turns about `axis` (lower frame) from 0 to
+    /// Creates a chain whose lower bone flexes about `axis` (lower frame) from 0 to
     /// `max_flexion_rad`.
     #[must_use]
     pub fn new(upper: DVec3, lower: DVec3, zero: DQuat, axis: DVec3, max_flexion_rad: f64) -> Self {
@@ -45,7 +45,7 @@ impl TwoBone {
         }
     }
 
-    /// Distance from the chain's base to its end at a flexion, metres.
+    /// Returns the distance from the chain's base to its end at a flexion of the hinge, metres.
     #[must_use]
     pub fn distance_m(&self, flexion_rad: f64) -> f64 {
         let (s, c) = ops::sincos(flexion_rad);
@@ -55,32 +55,32 @@ impl TwoBone {
             .sqrt()
     }
 
-    /// The hinge in the upper bone's frame, metres.
+    /// Returns the position of the hinge in the upper bone's frame, metres.
     #[must_use]
     pub fn hinge(&self) -> DVec3 {
         self.upper
     }
 
-    /// The end in the lower bone's frame, metres.
+    /// Returns the position of the end in the lower bone's frame, metres.
     #[must_use]
     pub fn lower(&self) -> DVec3 {
         self.lower
     }
 
-    /// Hinge axis in the lower bone's frame, unit.
+    /// Returns the hinge axis in the lower bone's frame, unit.
     #[must_use]
     pub fn axis(&self) -> DVec3 {
         self.axis
     }
 
-    /// Longest distance within the limits: stretched.
+    /// Returns the length of the stretched chain from base to end, metres.
     #[must_use]
     pub fn reach_m(&self) -> f64 {
         self.distance_m(0.0)
     }
 
-    /// A distance eased towards the reach within the last `spare_m` of it, metres: a stretching
-    /// hinge would otherwise snap, since its angle changes ever faster up to the end of the reach.
+    /// Returns a distance eased towards the chain's reach within its last `spare_m`, metres. This
+    /// avoids a snap of the stretching hinge, whose angle changes ever faster near full reach.
     #[must_use]
     pub fn eased_m(&self, distance_m: f64, spare_m: f64) -> f64 {
         let over = distance_m - (self.reach_m() - spare_m);
@@ -91,7 +91,8 @@ impl TwoBone {
         }
     }
 
-    /// Flexion that puts the end at a distance from the base. Clamped to the limits.
+    /// Returns the flexion that puts the end at a distance from the base, radians, clamped to the
+    /// limits.
     #[must_use]
     pub fn flexion_for(&self, distance_m: f64) -> f64 {
         self.flexions_for(distance_m)[0].clamp(0.0, self.max_flexion_rad)
@@ -114,8 +115,8 @@ impl TwoBone {
         [self.straight_rad + bent, self.straight_rad - bent]
     }
 
-    /// Shortest and longest distance from the base to the end, metres: within the limits, or
-    /// of the chain without limits.
+    /// Returns the shortest and longest distance from the base to the end, metres: within the
+    /// limits, or without limits.
     #[must_use]
     pub fn distances_m(&self, within_limits: bool) -> [f64; 2] {
         let (straight, folded) = (self.straight_rad, self.straight_rad + core::f64::consts::PI);
@@ -127,26 +128,27 @@ impl TwoBone {
         }
     }
 
-    /// The flexion of a rotation of the lower bone that [`TwoBone::flexed`] gave.
+    /// Returns the flexion, radians, of a local rotation of the lower bone as returned by
+    /// [`TwoBone::flexed`].
     #[must_use]
     pub fn flexion_of(&self, lower: DQuat) -> f64 {
         let sine = DVec3::new(lower.x, lower.y, lower.z).dot(self.axis);
         ops::wrap_angle(2.0 * ops::atan2(sine, lower.w))
     }
 
-    /// Hinge axis in the upper bone's frame, unit; a positive turn flexes.
+    /// Returns the hinge axis in the upper bone's frame, unit; a positive rotation flexes.
     #[must_use]
     pub fn axis_in_upper(&self) -> DVec3 {
         self.zero * self.axis
     }
 
-    /// Upper from lower bone in the zero pose.
+    /// Returns the rotation from the lower to the upper bone in the zero pose.
     #[must_use]
     pub fn zero(&self) -> DQuat {
         self.zero
     }
 
-    /// The same chain with another limit.
+    /// Returns the same chain with another maximum flexion.
     #[must_use]
     pub fn with_limit(self, max_flexion_rad: f64) -> Self {
         Self {
@@ -161,25 +163,25 @@ impl TwoBone {
         self.upper + self.zero * (self.flexed(flexion_rad) * self.lower)
     }
 
-    /// Local rotation of the lower bone at a flexion.
+    /// Returns the local rotation of the lower bone at a flexion of the hinge.
     #[must_use]
     pub fn flexed(&self, flexion_rad: f64) -> DQuat {
         DQuat::from_axis_angle(self.axis, flexion_rad)
     }
 
-    /// World rotation of the upper bone that points the end along `direction` with the
+    /// Returns the world rotation of the upper bone that points the end along `direction` with the
     /// hinge on the side of `pole` (both world; `direction` unit, `pole` of any length).
     #[must_use]
     pub fn aim(&self, flexion_rad: f64, direction: DVec3, pole: DVec3) -> DQuat {
         let end = self.end_in_upper(flexion_rad);
         let own = frame(end, (self.zero * self.axis).cross(end));
-        // The end swings towards axis × end, so the hinge stands on the other side.
+        // The end swings towards axis × end, so the hinge is on the other side.
         let world = frame(direction, -pole);
         DQuat::from_mat3(&(world * own.transpose())).normalized()
     }
 }
 
-/// Orthonormal columns: x along `along`, y in the half-plane of `towards`.
+/// Returns an orthonormal basis as columns: x along `along`, y in the half-plane of `towards`.
 fn frame(along: DVec3, towards: DVec3) -> DMat3 {
     let x = along.try_normalized().unwrap_or(DVec3::X);
     let y = (towards - x * x.dot(towards))

@@ -1,7 +1,7 @@
-//! What a wrist and forearm can do, and a hand rotation as the forearm sees it.
+//! Range of wrist and forearm, and hand rotation in the frame of the forearm.
 //!
-//! A wrist rotation is a twist about the forearm's x axis, which is the forearm's pronation,
-//! and then a swing: the radius takes the axes of flexion and deviation along as it turns.
+//! A wrist rotation is a twist about the forearm's x axis, its pronation, followed by a swing: the
+//! turning radius carries the axes of flexion and deviation along.
 
 use core::f64::consts::PI;
 
@@ -14,8 +14,8 @@ use super::limits::Limit;
 /// Share of a limit up to which a joint follows exactly; beyond, it approaches the limit.
 const FREE_SHARE: f64 = 0.9;
 
-/// A hand rotation relative to the forearm, for interpolation between distant hand rotations by
-/// wrist angles.
+/// Hand rotation relative to the forearm as pronation and swing; used to interpolate between
+/// distant hand rotations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WristAngles {
     /// Pronation from the thumb-up middle, radians, −π..π.
@@ -25,7 +25,7 @@ pub struct WristAngles {
 }
 
 impl WristAngles {
-    /// A relaxed hand: some pronation and a little extension, neither blade nor tray.
+    /// Returns the angles of a relaxed hand: some pronation and a little extension.
     #[must_use]
     pub fn relaxed(side: Side) -> Self {
         Self {
@@ -34,7 +34,7 @@ impl WristAngles {
         }
     }
 
-    /// The angles of a wrist rotation, local to the forearm.
+    /// Returns the angles of a wrist rotation that is local to the forearm.
     #[must_use]
     pub fn from_local(side: Side, local: DQuat) -> Self {
         let twist = twist_about_x(local);
@@ -46,7 +46,7 @@ impl WristAngles {
         }
     }
 
-    /// The wrist rotation with these angles, local to the forearm.
+    /// Returns the wrist rotation with these angles, local to the forearm.
     #[must_use]
     pub fn rotation(&self, side: Side) -> DQuat {
         let twist = DQuat::from_rotation_x(side.sign() * self.pronation_rad);
@@ -63,7 +63,7 @@ impl WristAngles {
     }
 }
 
-/// `x` limited to [−`low`, `high`]: exact up to [`FREE_SHARE`] of a limit, then
+/// Returns `x` softly limited to [−`low`, `high`]: unchanged up to [`FREE_SHARE`] of a limit, then
 /// approaching it.
 fn soft_limit(x: f64, [low, high]: [f64; 2]) -> f64 {
     let limit = if x < 0.0 { low } else { high };
@@ -76,7 +76,8 @@ fn soft_limit(x: f64, [low, high]: [f64; 2]) -> f64 {
     }
 }
 
-/// Range of one wrist and its forearm.
+/// Limits of one wrist and its forearm: pronation, flexion and deviation; hand rotations are
+/// reduced to them.
 #[derive(Clone, Copy, Debug)]
 pub struct WristLimits {
     side: Side,
@@ -84,12 +85,13 @@ pub struct WristLimits {
     twist_rad: [f64; 2],
     /// Flexion and extension.
     flexion_rad: [f64; 2],
-    /// To the little finger and to the thumb.
+    /// Limits of deviation, radians: towards the little finger and towards the thumb.
     deviation_rad: [f64; 2],
 }
 
 impl WristLimits {
-    /// Those of an arm with these limits of its joints.
+    /// Returns the limits of the wrist of an arm whose seven joints (shoulder to hand) have these
+    /// limits.
     #[must_use]
     pub fn new(side: Side, limits: &[Limit; 7]) -> Self {
         let [twist, deviation, flexion] = [3, 4, 5].map(|i: usize| limits[i]);
@@ -158,7 +160,7 @@ mod tests {
         DQuat::from_xyzw(r(0), r(1), r(2), r(3)).normalize()
     }
 
-    /// Both wrists of a man and of a woman.
+    /// Returns left and right side, each with both sexes, for tests.
     fn all() -> [(Side, Sex); 4] {
         let on = |side| [Sex::Male, Sex::Female].map(|sex| (side, sex));
         let [[a, b], [c, d]] = Side::BOTH.map(on);
@@ -176,7 +178,10 @@ mod tests {
             let limits = wrist(side, sex);
             for i in 0..5_000 {
                 let limited = limits.limited(random_rotation(i));
-                assert!(limits.beyond_rad(limited) < 1e-9);
+                assert!(
+                    limits.beyond_rad(limited) < 1e-9,
+                    "a limited wrist is within its limits"
+                );
                 // GEVH tables B.1 and B.2.
                 let angles = WristAngles::from_local(side, limited);
                 let pronation = angles.pronation_rad.to_degrees();
@@ -203,7 +208,8 @@ mod tests {
                     WristAngles::from_local(side, q)
                         .rotation(side)
                         .angle_between(q)
-                        < 1e-6
+                        < 1e-6,
+                    "the wrist angles round trip"
                 );
             }
         }
@@ -213,7 +219,10 @@ mod tests {
     fn what_is_easy_is_left_alone() {
         for (side, sex) in all() {
             let q = WristAngles::relaxed(side).rotation(side);
-            assert!(wrist(side, sex).limited(q).angle_between(q) < 1e-7);
+            assert!(
+                wrist(side, sex).limited(q).angle_between(q) < 1e-7,
+                "a comfortable wrist rotation is unchanged"
+            );
         }
     }
 }

@@ -1,9 +1,9 @@
-//! Where joints are to bring the end of a limb, however other limbs have moved the body by then.
+//! Joint goals that stay valid when other limbs move the body.
 //!
-//! A way through the joints is planned for the body as it stands with one limb moving alone.
-//! The manipulators of a figure are independent (GEVH 3.3.2), but they share a trunk that leans for
-//! each of them. So the joints of such a way are solved again on the body as it is, and what that
-//! changes is added to the way, the more the nearer it is to its target.
+//! A path through the joints is planned for the body with one limb moving alone. The manipulators
+//! of a figure are independent (GEVH 3.3.2), but they share a trunk that leans for each of them.
+//! The joints of such a path are therefore solved again on the current body, and the difference is
+//! added to the path, with a weight that grows near the target.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, ops};
@@ -15,7 +15,8 @@ use crate::limb::{Joints, RigidFrame};
 /// Total joint correction by limits, radians, from which the mean of the last goals is used.
 pub(super) const FORCED: f64 = 0.2;
 
-/// A position of the end, and the joints that reach it on the body used for planning.
+/// Target of a limb's end with the joints that reach it on the body used for planning; joints are
+/// corrected for the body's later motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReachTarget {
     /// Figure axes.
@@ -32,7 +33,7 @@ pub(super) struct ReachTarget {
 }
 
 impl ReachTarget {
-    /// The same with another share and target.
+    /// Returns the target with another weight and another reference for its error.
     pub(super) fn counting(&self, share: f64, target: RigidFrame) -> Self {
         Self {
             share,

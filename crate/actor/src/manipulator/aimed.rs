@@ -1,4 +1,4 @@
-//! Solves joints again for what they are to reach, on the body as it is.
+//! Solves joints for their goal again, on the current body.
 
 use raconteur_base::DAffine3;
 
@@ -44,7 +44,7 @@ impl Manipulators {
             let upper = rig.posed(joints, base).rotations[0];
             rig.swivel_of(rig.hinge_at(upper, base) - base.origin, frame, base)
         });
-        // Solved as it will be again: without a change of the body nothing is added.
+        // The same solver applies in both cases, so an unchanged body adds nothing.
         let limited = f64::from(u8::from(self.tracks[limb.index()].has_limits()));
         let wish = ReachRequest {
             swivel_rad,

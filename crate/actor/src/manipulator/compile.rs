@@ -1,4 +1,5 @@
-//! From commands to motions: each command is resolved where the limb is when it comes.
+//! Conversion from commands to motions: each command is resolved at the limb's position at its
+//! start time.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DAffine3, DVec3, ops};
@@ -35,7 +36,8 @@ const GAIN_HZ: f64 = 3.0;
 const MAX_SPEED_M_PER_S: f64 = 0.7;
 const MAX_SPEED_RAD_PER_S: f64 = 2.5;
 
-/// State of a limb at one instant.
+/// State of a limb at one time: pose, base frame, joint angles and end frame; commands are resolved
+/// from it.
 pub(super) struct LimbState {
     /// Story time, seconds.
     pub(super) at_secs: f64,
@@ -298,7 +300,7 @@ impl Manipulators {
             .map_or(DVec3::ZERO, |l| l[0]);
         let more = self.help_for(limb, &plain, [lean, other], skeleton, &upright);
         let lean_lag = [lean - own, help - more];
-        // Where elbow or knee are.
+        // The position of elbow or knee.
         let hinge = self.limbs.get(limb.index()).map_or(DVec3::ZERO, |rig| {
             rig.hinge_at(pose.rotation(rig.bones[0]), &base) - base.origin
         });
@@ -318,8 +320,8 @@ impl Manipulators {
         }
     }
 
-    /// The joint angles of a limb's bones in a pose: of all that turn them so, those within
-    /// the limits and nearest to ease, as equal angles near the middle of their ranges.
+    /// Returns the joint angles of a limb in a pose. Of equivalent solutions, it takes the one
+    /// within the limits and nearest to the middle of the ranges.
     pub(super) fn configuration(&self, limb: Limb, pose: &Pose, base: &LimbBase) -> Joints {
         let found: Solutions = match self.limbs.get(limb.index()) {
             Some(rig) => rig.joints_of(rig.bones.map(|b| pose.rotation(b)), base),
@@ -358,14 +360,14 @@ impl Manipulators {
         for (joint, angle) in to.joints.iter_mut().zip(angles) {
             *joint = angle.unwrap_or(*joint);
         }
-        // GEVH table 3.1 has no seventh joint: the first two place elbow or knee by themselves.
+        // GEVH table 3.1 has no seventh joint: the first two joints determine the elbow or knee.
         if angles[0].is_some() && angles[1].is_some() {
             to.joints[ROLL] = 0.0;
         }
         if self.tracks[limb.index()].has_limits() {
             to.joints = limits::clamp_joints(self.limits(limb), 1.0, &to.joints);
         }
-        // The girdle follows the place where the wrist would come with the girdle at rest.
+        // The girdle follows the wrist position that results from the girdle at rest.
         let rest = self.base(limb, &now.trunk, None);
         let end = self.posed(limb, &to.joints, &rest).frame.position;
         to.cue = now.trunk.inverse().transform_point3(end);

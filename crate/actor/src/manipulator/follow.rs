@@ -1,4 +1,4 @@
-//! Inverse velocity: joints that follow a velocity of the end, in fixed steps (GEVH D.3.24).
+//! Inverse velocity: joints follow a velocity of the end effector, in fixed steps (GEVH D.3.24).
 
 use raconteur_base::curve::{minimum_jerk, smooth};
 use raconteur_base::{DVec3, Length};
@@ -40,7 +40,7 @@ impl Manipulators {
         let mut base = now.base;
         let mut frame = now.frame;
         let mut carried = DVec3::ZERO;
-        // On after what ends it: a stop brakes.
+        // The integration continues past the end command, because a stop brakes.
         let most = ((most_secs + BRAKE_SECS) * STEPS_HZ).ceil() as usize;
         for step in 1..=most {
             let gathered = smooth(step as f64 / (START_SECS * STEPS_HZ));
@@ -52,7 +52,7 @@ impl Manipulators {
                 Some(rig) => rig.axes(&state.joints, &base),
                 None => self.head.axes(&state.joints, &base),
             };
-            // What the girdle does by itself the joints need not do.
+            // The joints exclude the motion that the girdle provides.
             let twist = Twist {
                 linear: twist.linear * gathered - carried,
                 angular: twist.angular * gathered,

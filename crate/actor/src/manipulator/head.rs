@@ -1,5 +1,5 @@
-//! The head as a manipulator of five joints: two of the neck place the skull, three of the
-//! skull turn it (GEVH section 3.3.2.2).
+//! Head manipulator with five joints: two of the neck place the skull, three of the skull turn it
+//! (GEVH section 3.3.2.2).
 
 use core::f64::consts::PI;
 
@@ -12,7 +12,8 @@ use crate::limb::limits::{self, Limit, Sex};
 use crate::limb::solve::Solutions;
 use crate::limb::{Joints, Limb, RigidFrame};
 
-/// Neck and skull of a figure. The base has the body's axes: x left, y up, z front.
+/// Neck and skull of a figure as a manipulator with five joints. The base has the body's axes: x
+/// left, y up, z front.
 #[derive(Clone, Debug)]
 pub struct HeadRig {
     limits: [Limit; 7],
@@ -30,7 +31,7 @@ pub struct HeadRig {
 pub(super) const HEAD_BONES: [Bone; 2] = [Bone::Cervical, Bone::Skull];
 
 impl HeadRig {
-    /// Measures the head of a skeleton.
+    /// Measures neck and skull of a skeleton.
     #[must_use]
     pub fn new(skeleton: &Skeleton, sex: Sex) -> Self {
         let zero = Pose::zero();
@@ -47,7 +48,7 @@ impl HeadRig {
         }
     }
 
-    /// The limits of the joints.
+    /// Returns the limits of the joint angles, radians.
     #[must_use]
     pub fn limits(&self) -> &[Limit; 7] {
         &self.limits
@@ -201,7 +202,7 @@ fn turn_angles(turn: DQuat) -> [[f64; 3]; 2] {
     let (x, y, z) = (m.x_axis, m.y_axis, m.z_axis);
     let level = (z.x * z.x + z.z * z.z).sqrt();
     let nod = ops::atan2(-z.y, level);
-    // Looking straight up or down, turn and tilt are one: all goes to the tilt.
+    // In a vertical gaze, turn and tilt share one axis; the tilt takes the whole rotation.
     let (a, c) = if level > 1e-9 {
         (ops::atan2(z.x, z.z), ops::atan2(x.y, y.y))
     } else {

@@ -1,4 +1,4 @@
-//! Inverse velocity: joint speeds that move a limb's end at given speeds, damped where the
+//! Inverse velocity: joint speeds for given speeds of a limb's end effector, damped where the
 //! joints cannot follow (GEVH section 3.3.3).
 
 use raconteur_base::{DVec3, Length};

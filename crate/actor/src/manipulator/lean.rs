@@ -1,4 +1,4 @@
-//! The spine helps long reaches: it bends and turns so that the shoulder comes nearer.
+//! Spine support for long reaches: the spine bends and turns to bring the shoulder nearer.
 
 use raconteur_base::{DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -114,7 +114,7 @@ impl Manipulators {
                 apply(skeleton, lean, &mut pose);
                 self.lean_to(limb, to, skeleton, &pose)
             };
-            // What it lacks even alone the other one is not to blame for.
+            // The deficit of one arm alone does not affect the other arm.
             let alone = missing(own).magnitude();
             for _ in 0..ROUNDS {
                 let lacks = missing(own + other + sum);

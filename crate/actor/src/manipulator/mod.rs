@@ -1,6 +1,6 @@
-//! Robotic manipulators: limbs and head led by targets and joint angles (GEVH section 3.3).
+//! Robotic manipulators: limbs and head driven by targets and joint angles (GEVH section 3.3).
 //!
-//! [`crate::limb`] brings a limb to a target; here is what commands make of that: [`path`] holds
+//! [`crate::limb`] brings a limb to a target; this module applies it to commands: [`path`] contains
 //! the functions of time, [`jacobian`] inverse velocity, [`head`] the joints of neck and skull;
 //! [`Manipulators`] performs a script of commands as a function of time.
 //!

@@ -1,4 +1,4 @@
-//! One motion of a limb, from where it was, as a function of its own time.
+//! Single motion of a limb from its initial state, as a function of its own time.
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::{DAffine3, DQuat, DVec3};
@@ -175,10 +175,11 @@ impl LimbMotion {
                 let index = at.floor() as usize;
                 let ((a, aim), (b, next)) = (&steps[index], &steps[(index + 1).min(last)]);
                 let share = at - index as f64;
-                // Velocities lead the joints, and to no place.
+                // Velocities drive the joints without a target position.
                 let aim = to.as_ref().map(|to| {
                     let aim = aim.lerp(next, share);
-                    // It begins where the limb is, whatever led it there.
+                    // The motion begins at the limb's current state, regardless of its previous
+                    // driver.
                     let counts = minimum_jerk(secs / SETTLE_SECS);
                     let is_over = at >= last as f64;
                     let target = if is_over { **to } else { aim.frame };
@@ -231,7 +232,7 @@ fn evenly(secs: f64, whole: f64) -> f64 {
 /// Returns the time for a turn of `rad` at an even speed of `rad_per_sec`, seconds.
 pub(super) fn even_secs(rad: f64, rad_per_sec: f64) -> f64 {
     let cruise = rad / rad_per_sec;
-    // A short way never comes to its speed.
+    // A short path never reaches its full speed.
     cruise + RAMP_SECS.min(cruise)
 }
 
@@ -242,20 +243,35 @@ mod tests {
     #[test]
     fn an_even_way_is_even_and_smooth_at_its_ends() {
         let whole = even_secs(3.0, 1.5);
-        assert!((whole - 2.2).abs() < 1e-12);
+        assert!(
+            (whole - 2.2).abs() < 1e-12,
+            "the whole duration of an even path"
+        );
         let h = 1e-4;
         let speed = |t: f64| 3.0 * (evenly(t + h, whole) - evenly(t - h, whole)) / (2.0 * h);
         for i in 0..100 {
             let t = 0.25 + 1.7 * f64::from(i) / 100.0;
             assert!((speed(t) - 1.5).abs() < 1e-6, "{t}: {}", speed(t));
         }
-        assert!(speed(0.01) < 0.1 && speed(whole - 0.01) < 0.1);
+        assert!(
+            speed(0.01) < 0.1 && speed(whole - 0.01) < 0.1,
+            "the path starts and ends slowly"
+        );
         assert_eq!(evenly(0.0, whole), 0.0);
-        assert!((evenly(whole, whole) - 1.0).abs() < 1e-12);
-        // Ways shorter than the ramps keep below the speed.
+        assert!(
+            (evenly(whole, whole) - 1.0).abs() < 1e-12,
+            "an even path ends at its end"
+        );
+        // Paths shorter than the ramps stay below the speed.
         let short = even_secs(0.1, 1.5);
-        assert!((evenly(short, short) - 1.0).abs() < 1e-12);
+        assert!(
+            (evenly(short, short) - 1.0).abs() < 1e-12,
+            "a short even path ends at its end"
+        );
         let step = (evenly(0.51 * short, short) - evenly(0.49 * short, short)) * 0.1;
-        assert!(step / (0.02 * short) < 1.6);
+        assert!(
+            step / (0.02 * short) < 1.6,
+            "a short even path has a bounded speed"
+        );
     }
 }

@@ -1,7 +1,7 @@
-//! Functions of time along which limbs and whole figures move (GEVH D.1.6 and D.3.23).
+//! Time functions for the motion of limbs and whole figures (GEVH D.1.6 and D.3.23).
 //!
-//! A [`Path`] says what a script says; [`Curve`] is the path with what it left open filled
-//! in from where the limb was. Curves begin and, unless they loop, end at rest.
+//! A [`Path`] is the path as scripted; [`Curve`] fills its open values from the limb's current
+//! position. Curves begin and, unless they loop, end at rest.
 
 use core::f64::consts::TAU;
 
@@ -342,7 +342,8 @@ impl TimedPath {
     fn on_form(&self, share: f64) -> RigidFrame {
         let (from, to) = (self.from_angles, self.to_angles);
         let rotation = if self.by_angles {
-            // The tilt goes the shortest way: its two angles apart would not.
+            // The tilt takes the shortest rotation; interpolating its two angles separately would
+            // not.
             let [from_tilt, to_tilt] = [from, to].map(tilt_of);
             let yaw = DQuat::from_rotation_y(lerp(from[0], to[0], share));
             (yaw * from_tilt.slerp(to_tilt, share)).normalized()

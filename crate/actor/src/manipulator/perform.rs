@@ -1,5 +1,4 @@
-//! The manipulators of one figure, performing: a function of time that keeps nothing and
-//! allocates nothing.
+//! Performance of a figure's manipulators: a function of time without state or allocation.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Where the whole figure is: `vh-move` as a function of time.
+//! Position of the whole figure: `vh-move` as a function of time.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DAffine3, DQuat, DVec3};
@@ -26,7 +26,7 @@ impl RootTrack {
         sort_by_number(&mut order, |m| m.time_secs);
         let mut track = Self::default();
         for m in order {
-            // Before its first motion the figure already stands where that begins.
+            // Before its first motion, the figure is already at the start of that motion.
             let now = if track.moves.is_empty() {
                 TimedPath::new(&m.path, &HOME, true).start()
             } else {

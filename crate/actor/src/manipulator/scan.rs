@@ -1,5 +1,5 @@
-//! Follows limbs over even times when a script is compiled, and writes down a way through the
-//! joints where their targets would make them snap ([`super::steady`]).
+//! Samples limbs at even times when a script is compiled, and records a path through the joints
+//! where the targets would make them snap ([`super::steady`]).
 
 use super::aim::FORCED;
 use super::perform::Manipulators;
@@ -127,7 +127,7 @@ impl Manipulators {
         let at = (time_secs * EVEN_HZ).floor() as i64;
         scan.next = Some(at + 1);
         scan.limbs = Default::default();
-        // What the limbs did until then.
+        // Samples of the limbs before this time.
         let mut samples: [Vec<Sample>; 5] = Default::default();
         for even in at - 3..=at {
             let secs = even as f64 / EVEN_HZ;
@@ -172,7 +172,7 @@ impl Manipulators {
         };
         let open = self.steady[i].stretches.last_mut();
         if let Some(open) = open.filter(|s| s.next() == next) {
-            // Where joints lead, the command begins with them.
+            // A command that drives joints starts with the joints.
             open.follow();
             return;
         }
@@ -213,7 +213,7 @@ impl Manipulators {
                         continue;
                     };
                     last.rests = !(scan.loops[i] || scan.figure_loops);
-                    // Where no joints lead the last ones are enough.
+                    // If no joints are driven, the last samples suffice.
                     if last.samples.iter().all(|s| !s.leads[1]) {
                         let keep = last.samples.len().saturating_sub(1);
                         last.samples.drain(..keep);
@@ -264,7 +264,7 @@ impl Manipulators {
             .filter(|s| s.next() == even && !self.steady[i].is_cut_before(even))
             .and_then(|s| s.samples.last());
         let Some(last) = last.map(|s| s.joints) else {
-            // The limb comes under control where it is.
+            // The limb comes under control at its current position.
             self.steady[i]
                 .stretches
                 .push(Interval::new(even, even, *target));
@@ -284,7 +284,7 @@ impl Manipulators {
         } else if end_stays {
             joints[END].copy_from_slice(&last[END]);
         }
-        // What a resting limb has held it does not let go of at once either.
+        // A resting limb also does not release its held position abruptly.
         snaps |= !stays
             && !was
             && self.rotation_distance(limb, &last, &joints) > SNAP_RAD_PER_S / EVEN_HZ;
@@ -303,7 +303,7 @@ impl Manipulators {
         let is_off = self.turned(limb, &joints, target) > CAUGHT_RAD;
         followed.is_behind = is_off && (was || snaps && !stays);
         if let Some(stretch) = self.steady[i].stretches.last_mut() {
-            // Where the target is not met nothing is lost by it.
+            // If the target is not met, the smoothing loses nothing.
             let begins = stretch.begins();
             stretch.push(
                 joints,
@@ -334,7 +334,7 @@ impl Manipulators {
         if left <= most {
             return to;
         }
-        // Bones may turn farther by their joints than the shortest way.
+        // Bones may turn farther by their joints than by the shortest rotation.
         let mut share = most / left;
         let mut joints = lerp_joints(last, &to, share, limited);
         for _ in 0..SHORTENINGS {
@@ -385,7 +385,7 @@ impl Manipulators {
             return false;
         }
         let middle = self.undisturbed_at(limb, middle_secs, scene);
-        // What turns little in one half may have turned back there, if it turns in the other.
+        // A small turn in one half can hide a turn back if the other half turns.
         let halves = [self.turned(limb, a, &middle), self.turned(limb, &middle, b)];
         halves.into_iter().any(|turned| turned > HARMLESS_RAD)
             && [(a, &middle, from_secs), (&middle, b, middle_secs)]

@@ -1,4 +1,4 @@
-//! The figure as it is without manipulators, at any time.
+//! The figure without manipulators, at any time.
 
 use raconteur_body::{Pose, Skeleton};
 

@@ -1,12 +1,11 @@
-//! Joints that lead a limb where its target alone would make it snap.
+//! Joint paths that replace a limb's target where the target alone would make the limb snap.
 //!
-//! A target is met by joints that depend on the place of the body and the target alone, which
-//! keeps play and seek the same. No such choice can be steady everywhere: the elbow's circle
-//! has no steady direction around a whole sphere, a place inside the shortest reach has two
-//! nearest ones, and beyond the limits one way of not meeting a target gives way to another.
-//! So when a script is compiled ([`super::scan`]), every limb is followed over even times, and
-//! where its joints snap or turn faster than [`MAX_RAD_PER_S`] a way through the joints is
-//! written down. Evaluation follows that record, by a uniform cubic B-spline,
+//! Joints that depend only on the body's position and the target make play and seek equal. No such
+//! choice can be continuous everywhere: the elbow's circle has no continuous direction around a
+//! whole sphere, a position inside the shortest reach has two nearest solutions, and beyond the
+//! limits one approximation replaces another. When a script is compiled ([`super::scan`]), every
+//! limb is sampled at even times; where its joints snap or turn faster than [`MAX_RAD_PER_S`], a
+//! path through the joints is recorded. Evaluation follows that record by a uniform cubic B-spline,
 //! whose speed is a mean of the speeds between the even times, and the target everywhere else.
 
 use core::f64::consts::PI;
@@ -224,7 +223,7 @@ impl Interval {
                 *sum += weight * f64::from(u8::from(leads));
             }
         }
-        // A limb that rests is led by its target again as far as that can be met.
+        // A resting limb follows its target again as far as the target is reachable.
         for sum in &mut lead.weights {
             *sum *= 1.0 - weight_unmet;
         }
@@ -233,7 +232,7 @@ impl Interval {
             let c = nearest(c, b, rig);
             let mut a = nearest(a, b, rig);
             if index == 0 {
-                // Nothing is known of before: it begins where the first one is.
+                // Without an earlier sample, the path starts at the first one.
                 for ((a, b), c) in a.iter_mut().zip(b).zip(c) {
                     *a = 2.0 * b - c;
                 }
@@ -253,7 +252,7 @@ impl Interval {
 /// Returns equivalent joints of the same bones, nearest to other joints.
 pub(super) fn nearest(joints: &Joints, to: &Joints, rig: Option<&LimbRig>) -> Joints {
     let mut near = *joints;
-    // Three joints in one place turn alike in two ways, here those of wrist, ankle or skull.
+    // The joint triple of wrist, ankle or skull has two equivalent solutions.
     let end = if let Some(rig) = rig {
         near = rig.alike(joints, to, false);
         3

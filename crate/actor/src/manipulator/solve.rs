@@ -1,5 +1,5 @@
-//! Where limbs and head meet their goals at one time: by the goal alone, by the mean of the last
-//! ones, or by the steady way that was written down.
+//! Solutions of limbs and head for their goals at one time: by the goal alone, by the mean of the
+//! last goals, or by the recorded path.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, ops};
@@ -162,7 +162,8 @@ impl Manipulators {
                 other = rig.alike(&other, &met.joints, terms.limited >= 0.5);
             }
             for (i, sum) in mean.iter_mut().enumerate() {
-                // Within limits every mean is; without them the short way round is meant.
+                // Within limits, every mean is within them; without limits, the shorter rotation
+                // applies.
                 let free = terms.limited < 0.5 || i == ROLL;
                 let angle = if free {
                     met.joints[i] + ops::wrap_angle(other[i] - met.joints[i])
@@ -183,7 +184,7 @@ impl Manipulators {
             for (joint, mend) in met.joints.iter_mut().zip(mend.joints) {
                 *joint += mend;
             }
-            // What it makes up for keeps it from its target as limits do.
+            // The compensation limits the approach to the target as joint limits do.
             let turn = mend.upper.angle_between(DQuat::IDENTITY);
             let off = mend
                 .joints

@@ -1,5 +1,4 @@
-//! What one limb does over time: its commands as segments, each beginning where the one
-//! before has brought the limb.
+//! Commands of one limb over time as segments, each starting at the end state of the previous one.
 
 use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DAffine3, DQuat};

@@ -95,7 +95,10 @@ mod tests {
         let times: Vec<[f64; 2]> = accents.iter().map(|a| [a.start_secs, a.end_secs]).collect();
         assert_eq!(times, [[0.0, 0.5], [0.5, 1.0]]);
         assert_eq!(accents[0].label, "H*");
-        assert!(accents[0].strength < accents[1].strength);
+        assert!(
+            accents[0].strength < accents[1].strength,
+            "the second accent is stronger"
+        );
     }
 
     #[test]
@@ -103,6 +106,9 @@ mod tests {
         let accents = known(&two_words());
         assert_eq!(accents.len(), 1);
         assert_eq!((accents[0].start_secs, accents[0].end_secs), (0.5, 0.8));
-        assert!(accents[0].strength > 1.0 && accents[0].label.is_empty());
+        assert!(
+            accents[0].strength > 1.0 && accents[0].label.is_empty(),
+            "an emphasised word has an accent without a label"
+        );
     }
 }

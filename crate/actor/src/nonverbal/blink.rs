@@ -1,19 +1,18 @@
-//! Blinks: at the beginning of pauses, and often enough to keep the eyes moist.
+//! Blinks: at the start of pauses, and often enough to keep the eyes moist.
 //!
-//! F&H section 4.2.1 (after Pelachaud et al. 1996) puts blinks at the beginning of pauses, an
-//! additional one where none came for 4.8 s, and their phases on phone boundaries: so it is here.
-//! Its phases, 1/8 s closing and 1/12 s opening, are the wrong way round against all that was
-//! measured: the lid falls fast and rises slowly. Those here are of voluntary and spontaneous
-//! blinks (closing 66 to 78 ms, closed 8 to 13 ms, faster down than up: PubMed 18565090;
-//! Evinger, Manning & Sibony 1991, Invest Ophthalmol Vis Sci 32:387). About half of all blinks
-//! do not close the eye fully (Sforza et al. 2008, doi:10.1111/j.1475-1313.2008.00577.x), and
-//! some come as two.
+//! F&H section 4.2.1 (after Pelachaud et al. 1996) places blinks at the start of pauses, an
+//! additional one after 4.8 s without a blink, and their phases on phone boundaries; this module
+//! does the same. Its phases, 1/8 s closing and 1/12 s opening, contradict all measurements: the
+//! lid falls fast and rises slowly. The phases here are those of voluntary and spontaneous blinks
+//! (closing 66 to 78 ms, closed 8 to 13 ms, faster down than up: PubMed 18565090; Evinger, Manning
+//! & Sibony 1991, Invest Ophthalmol Vis Sci 32:387). About half of all blinks do not close the eye
+//! fully (Sforza et al. 2008, doi:10.1111/j.1475-1313.2008.00577.x), and some are double.
 //!
-//! How often: 26 a minute in talk and 17 at rest (medians of 150 people; Bentivoglio et al. 1997,
-//! doi:10.1002/mds.870120629). Time is cut into stretches; one with speech has a blink, or two in a
-//! row, at its weightiest pause or else at a random place, one of silence has one mostly.
-//! Were there a blink at every pause and the additional ones besides, a speaker of short phrases
-//! would blink twice as often as people do.
+//! Rates: 26 per minute in conversation and 17 at rest (medians of 150 people; Bentivoglio et al.
+//! 1997, doi:10.1002/mds.870120629). Time is split into intervals. An interval with speech has one
+//! blink, or two in a row, at its most significant pause or at a random time; most silent intervals
+//! have one. Blinks at every pause plus the additional ones would make a speaker of short phrases
+//! blink twice as often as people do.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::noise;
@@ -216,7 +215,7 @@ impl Blinks {
         }
         let start = match best {
             Some((_, start)) => start,
-            // Who blinks very often has no time to keep them apart.
+            // A very high rate leaves no time to separate blinks.
             None => {
                 let wanted = self.at_random(stretch).min(to);
                 heard
@@ -259,12 +258,15 @@ mod tests {
                 let fits = |b: &&f64| far(**b) <= SNAPPED * CLOSING_SECS;
                 let nearest = heard.boundaries.iter().filter(fits).map(|b| far(*b));
                 let nearest = nearest.reduce(f64::min);
-                assert!((far(closed) - nearest.unwrap_or(0.0)).abs() < 1e-9);
+                assert!(
+                    (far(closed) - nearest.unwrap_or(0.0)).abs() < 1e-9,
+                    "the blink closes at the nearest phone boundary"
+                );
                 on += usize::from(nearest.is_some());
             }
             println!("{on} of {} close on a boundary", blinks.planned.len());
             // Most begin with a silence, which has no boundary so soon.
-            assert!(on > 0);
+            assert!(on > 0, "some blinks are on phone boundaries");
         }
     }
 
@@ -281,7 +283,10 @@ mod tests {
             "{in_pauses} of {} blinks begin with a pause",
             blinks.planned.len()
         );
-        assert!(10 * in_pauses > 6 * blinks.planned.len());
+        assert!(
+            10 * in_pauses > 6 * blinks.planned.len(),
+            "more than 60 % of the blinks are in pauses"
+        );
     }
 
     #[test]
@@ -294,19 +299,37 @@ mod tests {
                 let [start, closed, opening, open] = blink.phases;
                 let at = |t: f64| blinks.closure(t);
                 assert_eq!(at(0.5 * (closed + opening)), blink.depth);
-                assert!(at(start).abs() < 1e-9 && at(blink.end_secs() + 1e-9) < 1e-9);
-                assert!((0.06..=0.11).contains(&(closed - start)));
-                assert!((opening - closed - 0.02).abs() < 1e-9);
-                assert!((0.2..=0.25).contains(&(open - opening)));
+                assert!(
+                    at(start).abs() < 1e-9 && at(blink.end_secs() + 1e-9) < 1e-9,
+                    "the lid is open at both ends of the blink"
+                );
+                assert!(
+                    (0.06..=0.11).contains(&(closed - start)),
+                    "the closing time in seconds"
+                );
+                assert!(
+                    (opening - closed - 0.02).abs() < 1e-9,
+                    "the lid stays closed for 20 ms"
+                );
+                assert!(
+                    (0.2..=0.25).contains(&(open - opening)),
+                    "the opening time in seconds"
+                );
                 // The rise passes its middle before the middle of its time.
-                assert!(at(0.5 * (opening + open)) < 0.4 * blink.depth);
+                assert!(
+                    at(0.5 * (opening + open)) < 0.4 * blink.depth,
+                    "the lid opens fast at first"
+                );
                 partial += usize::from(blink.depth < 1.0);
                 double += usize::from(blink.is_double);
                 count += 1;
             }
             let [partial, double] = [partial, double].map(|n| n as f64 / f64::from(count));
             println!("{partial:.2} partial, {double:.2} double of {count}");
-            assert!((0.45..=0.55).contains(&partial) && (0.05..=0.13).contains(&double));
+            assert!(
+                (0.45..=0.55).contains(&partial) && (0.05..=0.13).contains(&double),
+                "the shares of partial and double blinks"
+            );
         }
     }
 
@@ -316,7 +339,7 @@ mod tests {
         for pair in blinks.planned.windows(2) {
             let [(one, before), (next, after)] = [pair[0], pair[1]];
             assert!(after.phases[0] - before.end_secs() > 0.3, "{pair:?}");
-            // But for the way to the nearest phone boundary.
+            // Except for the shift to the nearest phone boundary.
             let apart = after.phases[0] - before.phases[0];
             assert!(next > one + 1 || apart < MAX_APART_SECS + 0.3, "{pair:?}");
         }

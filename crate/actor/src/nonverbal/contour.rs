@@ -12,7 +12,7 @@ pub(super) fn approximate(frames: &[f64]) -> Vec<f64> {
         return Vec::new();
     }
     let control = |j: usize| {
-        // The first control point lies one step before the first frame.
+        // The first control point is one step before the first frame.
         let middle = (j * STEP).saturating_sub(STEP).min(frames.len() - 1);
         let from = middle.saturating_sub(STEP / 2);
         let around = &frames[from..(middle + STEP / 2 + 1).min(frames.len())];
@@ -100,8 +100,14 @@ mod tests {
         let found = extrema(&curve);
         // Maxima of sin 5 t at 0.31, 1.57, 2.83; minima between; both ends.
         assert_eq!(found.len(), 8, "{found:?}");
-        assert!(found.windows(2).all(|w| w[0].is_max != w[1].is_max));
-        assert!(found[1].is_max && found[1].frame.abs_diff(31) < 3);
+        assert!(
+            found.windows(2).all(|w| w[0].is_max != w[1].is_max),
+            "maxima and minima alternate"
+        );
+        assert!(
+            found[1].is_max && found[1].frame.abs_diff(31) < 3,
+            "the second extremum is the maximum near frame 31"
+        );
         let (first, last) = between_turning_points(&curve, found[3]);
         assert!(
             first.abs_diff(126) < 8 && last.abs_diff(188) < 8,
@@ -111,9 +117,15 @@ mod tests {
 
     #[test]
     fn little_or_nothing_has_a_curve_too() {
-        assert!(approximate(&[]).is_empty());
-        assert!(extrema(&approximate(&[1.0])).is_empty());
-        assert!(extrema(&approximate(&[2.0; 100])).is_empty());
+        assert!(approximate(&[]).is_empty(), "an empty contour has no curve");
+        assert!(
+            extrema(&approximate(&[1.0])).is_empty(),
+            "one sample has no extremum"
+        );
+        assert!(
+            extrema(&approximate(&[2.0; 100])).is_empty(),
+            "a flat contour has no extremum"
+        );
         let straight: Vec<f64> = (0..9).map(f64::from).collect();
         assert_eq!(approximate(&straight).len(), 9);
         let (first, last) = between_turning_points(

@@ -1,4 +1,4 @@
-//! A place where the melody of speech turns.
+//! Extremum of the pitch contour.
 
 /// An extremum of the pitch.
 #[derive(Clone, Copy, Debug, PartialEq)]

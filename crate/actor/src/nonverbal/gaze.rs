@@ -1,11 +1,11 @@
-//! Where a speaker looks: at the listener, aside, away or at an imagined thing (F&H
-//! sections 4.2.1 and 4.3.5).
+//! Gaze of a speaker: at the listener, aside, away or at an imagined object (F&H sections 4.2.1 and
+//! 4.3.5).
 //!
-//! Speech makes demands: to look at the listener or not over an accent, a pause, a question.
-//! The eyes jump between them, never during one, so that the gaze of an accent is never
-//! farther away at its end than at its beginning. Durations and directions of saccades are
-//! those of Lee, Badler and Badler 2002 ("Eyes Alive", doi:10.1145/566654.566629); their
-//! magnitudes are smaller, as F&H want small differences between consecutive positions.
+//! Accents, pauses and questions create demands to look at the listener or away. The eyes jump
+//! between demands, never during one, so that the gaze of an accent is never farther away at its
+//! end than at its start. Durations and directions of saccades are those of Lee, Badler and Badler
+//! 2002 ("Eyes Alive", doi:10.1145/566654.566629); their magnitudes are smaller, because F&H
+//! require small differences between consecutive positions.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{noise, ops};
@@ -113,7 +113,7 @@ impl Gaze {
         for (i, demand) in demands.iter().enumerate() {
             way.satisfy(demand, free_secs);
             free_secs = demand.end_secs;
-            // Back before a long silence, in which others decide.
+            // The gaze returns before a long silence, in which other behaviours decide.
             let silent_secs = demands
                 .get(i + 1)
                 .map_or(f64::INFINITY, |d| d.start_secs - free_secs);
@@ -265,7 +265,7 @@ impl GazePlan {
             self.rove(free_secs, start - MIN_GAP_SECS);
         }
         let is_away = self.is_away();
-        // A random moment before the demand, early enough to be there when it begins.
+        // A random time before the demand, early enough to arrive at its start.
         let early = |way: &mut Self, lead_secs: f64| {
             let room_secs = gap_secs.min(0.5) - lead_secs;
             (room_secs >= 0.0).then(|| start - lead_secs - way.unit() * room_secs)

@@ -1,5 +1,5 @@
-//! Where one looks who does not speak: at the other, with small steps over the face and
-//! short looks aside. A function of time alone, because silence has no end.
+//! Gaze of a listener: at the speaker, with small steps over the face and short looks aside. It is
+//! a function of time alone, because silence has no end.
 
 use raconteur_base::curve::{minimum_jerk, smooth};
 use raconteur_base::noise;
@@ -113,7 +113,10 @@ mod tests {
     #[test]
     fn who_is_about_to_speak_looks_aside_no_more() {
         let listening = ListenerGaze::new(vec![[10.0, 20.0], [30.0, 40.0]], 1.0, 5);
-        assert!((100..=200).all(|i| listening.aversion(f64::from(i) * 0.1) == [0.0; 2]));
+        assert!(
+            (100..=200).all(|i| listening.aversion(f64::from(i) * 0.1) == [0.0; 2]),
+            "the listener who is about to speak does not look away"
+        );
         for i in 0..50_000 {
             let t = f64::from(i) * 0.001;
             let [a, b] = [listening.aversion(t), listening.aversion(t + 0.001)];

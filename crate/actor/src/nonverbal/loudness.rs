@@ -82,7 +82,10 @@ mod tests {
             "{}",
             track.sample(2.15)
         );
-        assert!((0..400).all(|i| (0.0..=1.0).contains(&track.sample(f64::from(i) * 0.01))));
+        assert!(
+            (0..400).all(|i| (0.0..=1.0).contains(&track.sample(f64::from(i) * 0.01))),
+            "the intensity stays between 0 and 1"
+        );
         assert_eq!(super::track(&[]).sample(3.0), ORDINARY_LOUDNESS);
     }
 }

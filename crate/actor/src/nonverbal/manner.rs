@@ -1,4 +1,4 @@
-//! How one character accompanies speech: how much and how often.
+//! Amounts and rates of a character's accompaniment of speech.
 
 /// Source of the plan of expressions (F&H sections 4.2 and 4.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -81,7 +81,7 @@ impl Manner {
     /// The same within its ranges; NaN becomes the least.
     #[must_use]
     pub(super) fn in_range(mut self) -> Self {
-        // A NaN compares as nothing and so becomes the least.
+        // Comparisons with NaN are false, so NaN becomes the minimum.
         let within = |x: f64, least: f64, most: f64| if x > least { x.min(most) } else { least };
         for (amount, most) in [
             (&mut self.head, 1.0),

@@ -1,11 +1,11 @@
-//! What a face and a head do besides speaking (F&H sections 4.1 to 4.3): raises of head and
-//! brows with the pitch, blinks, gaze, thought, lips moistened, and loudness.
+//! Nonverbal behaviour of face and head (F&H sections 4.1 to 4.3): raises of head and brows with
+//! the pitch, blinks, gaze, thought, moistened lips, and loudness.
 //!
-//! Everything is planned once, from the utterances and a seed, as keys on the clock of the
-//! story; any time can then be evaluated, in any order, without allocation.
+//! The planner creates keys on the story clock once, from the utterances and a seed; any time can
+//! then be evaluated, in any order, without allocation.
 //!
-//! Does: illustrators, punctuators, regulators and manipulators (section 4.1.1). Does not:
-//! emblems and affect displays, which need to know what the words mean; lips.
+//! Scope: illustrators, punctuators, regulators and manipulators (section 4.1.1). Out of scope:
+//! emblems and affect displays, which require the meaning of the words; lips.
 
 mod accent;
 mod blink;
@@ -87,7 +87,7 @@ impl NonVerbal {
         sort_by_number(&mut utterances, |u| u.start_secs);
         let heard = SpeechFeatures::new(&utterances, &manner, seed);
         let loudness = loudness::track(&utterances);
-        // The text does not say how loud it is spoken; the mouth needs to know.
+        // The text does not specify its loudness, which the mouth needs.
         let unknown = loudness::track(&[]);
         let by_sound = match manner.way {
             PlanBasis::Audio => &loudness,

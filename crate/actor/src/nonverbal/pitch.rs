@@ -1,5 +1,4 @@
-//! Where the voice rises and falls: extrema of the fundamental frequency (F&H section
-//! 4.2.1, "Facial Expressions from Pitch").
+//! Extrema of the fundamental frequency (F&H section 4.2.1, "Facial Expressions from Pitch").
 
 use raconteur_base::curve::lerp;
 use raconteur_speech::TimedUtterance;
@@ -32,8 +31,8 @@ pub(super) fn extremes(timed: &TimedUtterance, threshold: f64, out: &mut Vec<Ext
     };
     let curve = approximate(&frames);
     let [low, high] = range(f0);
-    // What does not stand out by the threshold from the last that did is passed over, so
-    // that a ripple in a valley does not keep the head up.
+    // An extremum that differs from the last prominent one by less than the threshold is skipped,
+    // so that a ripple in a valley does not keep the head raised.
     let mut prominent: Vec<(Extremum, f64)> = Vec::new();
     for extremum in extrema(&curve) {
         let (extremum, pitch) = measured(extremum, &curve, f0);
@@ -48,7 +47,7 @@ pub(super) fn extremes(timed: &TimedUtterance, threshold: f64, out: &mut Vec<Ext
             _ => prominent.push((extremum, pitch)),
         }
     }
-    // One alone is a voice that does not move.
+    // A single extremum means a voice without pitch motion.
     if prominent.len() > 1 {
         out.extend(prominent.iter().map(|(extremum, pitch)| {
             let height = ((pitch - low) / (high - low)).clamp(MIN_HEIGHT, 1.0);
@@ -169,7 +168,7 @@ mod tests {
         };
         let u = sung((0..240).map(code).collect());
         let mut out = Vec::new();
-        assert!(extremes(&u, 2.0, &mut out));
+        assert!(extremes(&u, 2.0, &mut out), "the measured pitch is used");
         let maxima: Vec<f64> = out
             .iter()
             .filter(|e| e.height > 0.0)
@@ -182,7 +181,8 @@ mod tests {
         );
         assert!(
             out.iter()
-                .any(|e| e.height == 0.0 && e.at_secs > 10.6 && e.at_secs < 11.8)
+                .any(|e| e.height == 0.0 && e.at_secs > 10.6 && e.at_secs < 11.8),
+            "a pitch minimum lies inside the phrase"
         );
     }
 
@@ -190,10 +190,16 @@ mod tests {
     fn a_sound_without_voice_has_no_melody() {
         for f0 in [vec![], vec![0; 500], vec![9; 3]] {
             let mut out = Vec::new();
-            assert!(!extremes(&sung(f0), 2.0, &mut out) && out.is_empty());
+            assert!(
+                !extremes(&sung(f0), 2.0, &mut out) && out.is_empty(),
+                "audio without voice has no pitch extrema"
+            );
         }
         let flat = sung(vec![90; 300]);
         let mut out = Vec::new();
-        assert!(extremes(&flat, 2.0, &mut out) && out.is_empty());
+        assert!(
+            extremes(&flat, 2.0, &mut out) && out.is_empty(),
+            "a flat pitch has no extrema"
+        );
     }
 }

@@ -1,5 +1,5 @@
-//! Head and brows follow the pitch: raised at its maxima, back at its minima (F&H sections
-//! 4.2.1 and 4.3.5).
+//! Head and brow motion that follows the pitch: raised at its maxima, back at its minima (F&H
+//! sections 4.2.1 and 4.3.5).
 
 use raconteur_base::curve::lerp;
 use raconteur_base::noise;
@@ -108,7 +108,7 @@ fn keys(heard: &SpeechFeatures) -> Vec<Extreme> {
         let before = after.checked_sub(1).map(|i| &heard.questions[i]);
         before.is_some_and(|q| at_secs < q.end_secs + DOWN_SECS + MIN_SECS)
     };
-    // Nothing stays up when a sentence is over.
+    // Head and brows are lowered at the end of a sentence.
     let pauses = heard
         .pauses
         .iter()
@@ -175,9 +175,15 @@ mod tests {
             };
             let heard = SpeechFeatures::new(&speech.iter().collect::<Vec<_>>(), &manner, 1);
             let keys = keys(&heard);
-            assert!(keys.len() > speech.len());
+            assert!(
+                keys.len() > speech.len(),
+                "there are more keys than speech segments"
+            );
             for pair in keys.windows(2) {
-                assert!(pair[1].at_secs - pair[0].at_secs >= MIN_SECS - 1e-9);
+                assert!(
+                    pair[1].at_secs - pair[0].at_secs >= MIN_SECS - 1e-9,
+                    "keys are at least the minimum time apart"
+                );
             }
             let on = |key: &&Extreme| {
                 let boundaries = &heard.boundaries;
@@ -185,7 +191,7 @@ mod tests {
                     .binary_search_by(|b| b.total_cmp(&key.at_secs))
                     .is_ok()
             };
-            // Off them is only what comes after the speech.
+            // Only keys after the speech are off the boundaries.
             let in_pause = |key: &&Extreme| {
                 heard
                     .boundary_within(key.at_secs, key.at_secs - 0.2, key.at_secs + 0.2)
@@ -223,9 +229,18 @@ mod tests {
         let raises = Raises::new(&heard, &Track::default(), &manner, 4);
         let head = |t: f64| raises.head.sample(t) / HEAD_RAISE_RAD;
         assert_eq!(head(1.0), 0.0);
-        assert!((head(1.5) - 1.0).abs() < 1e-12);
+        assert!(
+            (head(1.5) - 1.0).abs() < 1e-12,
+            "the head is at its apex at 1.5 s"
+        );
         // Two at one boundary: the higher one counts. A far target is approached late.
-        assert!((head(2.04) - 0.4).abs() < 1e-12 && head(8.19) == head(2.04));
-        assert!((head(9.0) - 0.5).abs() < 1e-12);
+        assert!(
+            (head(2.04) - 0.4).abs() < 1e-12 && head(8.19) == head(2.04),
+            "the head holds 0.4 between both keys"
+        );
+        assert!(
+            (head(9.0) - 0.5).abs() < 1e-12,
+            "the head is halfway back at 9 s"
+        );
     }
 }

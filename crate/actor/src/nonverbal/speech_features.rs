@@ -1,5 +1,5 @@
-//! Utterances as planners need them: phone boundaries, pauses, accents, the melody, turns and
-//! questions on the clock of the story.
+//! Speech features for planners: phone boundaries, pauses, accents, pitch contour, turns and
+//! questions on the story clock.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_speech::bundle::SentenceKind;
@@ -137,7 +137,7 @@ impl SpeechFeatures {
             let word = phone.word.filter(|w| *w < u.words.len());
             let word_start_secs = word.map_or(start_secs, |w| at(u.words[w].start_secs));
             self.sound(start_secs, end_secs, word_start_secs, last.as_ref());
-            // Sounds outside words end nothing.
+            // Phones outside words end nothing.
             let parts = word.map_or(BoundaryKind::Words, |w| ends[w]);
             let question = word.and_then(|w| questions.binary_search_by_key(&w, |q| q.1).ok());
             *last = Some(LastPhone {
@@ -157,7 +157,7 @@ impl SpeechFeatures {
                 });
             }
         }
-        // An utterance ends a sentence, unless it says that it goes on.
+        // An utterance ends a sentence, unless it declares a continuation.
         if let Some(last) = last.as_mut() {
             let goes_on = u
                 .sentences
@@ -250,7 +250,7 @@ impl SpeechFeatures {
             (Some(a), Some(b)) if distance(a) <= distance(b) => a,
             (a, b) => b.or(a)?,
         };
-        // The nearest may be too near to what came before while the one behind is not.
+        // The nearest boundary can be too close to the previous key while the next one is not.
         let within = |b: &&f64| from <= **b && **b <= to;
         [Some(near), before, after]
             .into_iter()
@@ -419,7 +419,10 @@ mod tests {
             ]
         );
         let third_pause = heard.pauses[2];
-        assert!((third_pause.start_secs - 2.7).abs() < 1e-9 && third_pause.end_secs == 4.0);
+        assert!(
+            (third_pause.start_secs - 2.7).abs() < 1e-9 && third_pause.end_secs == 4.0,
+            "the bounds of the third pause"
+        );
         assert_eq!(heard.turns, [[1.0, 4.0, 4.5], [9.0, 9.0, 9.5]]);
         // A question waits for an answer.
         assert_eq!(heard.questions.len(), 1);
@@ -439,8 +442,14 @@ mod tests {
             SpeechFeatures::new(&[&timed_utterance(0.0, say(&words))], &Manner::default(), 1);
         assert_eq!(heard.pauses.len(), 1);
         let pause = heard.pauses[0];
-        assert!(pause.is_filled && (pause.start_secs - 0.4).abs() < 1e-9);
-        assert!((pause.end_secs - 1.4).abs() < 1e-9);
+        assert!(
+            pause.is_filled && (pause.start_secs - 0.4).abs() < 1e-9,
+            "the filled pause starts with the silence before it"
+        );
+        assert!(
+            (pause.end_secs - 1.4).abs() < 1e-9,
+            "the filled pause ends with the silence after it"
+        );
         for (text, is) in [
             ("Uhm,", true),
             ("ÄHM", true),

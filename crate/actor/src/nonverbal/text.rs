@@ -1,5 +1,5 @@
-//! Where the voice will rise and fall, predicted from the text: accents, phrases and their
-//! boundary tones (F&H section 4.3.5, "Expressions linked to intonation").
+//! Pitch predicted from the text: accents, phrases and their boundary tones (F&H section 4.3.5,
+//! "Expressions linked to intonation").
 
 use raconteur_base::curve::ramp;
 use raconteur_base::noise;
@@ -166,6 +166,9 @@ mod tests {
         for (time, wanted) in times.iter().zip([0.1, 0.55, 2.1, 2.5, 2.9, 3.35]) {
             assert!((time - wanted).abs() < 1e-9, "{times:?}");
         }
-        assert!(out[0].height > out[2].height);
+        assert!(
+            out[0].height > out[2].height,
+            "the first accent is higher than the third"
+        );
     }
 }

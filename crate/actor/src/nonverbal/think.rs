@@ -1,5 +1,5 @@
-//! What speakers do while nothing is heard: think of what to say next, look for words, and
-//! moisten their lips (F&H section 4.2.1).
+//! Speaker behaviour in silence: planning the next words, searching for words and moistening the
+//! lips (F&H section 4.2.1).
 
 use raconteur_base::noise;
 
@@ -38,8 +38,8 @@ pub(super) fn thoughts(heard: &SpeechFeatures, manner: &Manner, seed: u64) -> Ve
         if !(is_inside || pause.is_filled) || is_asked || r(0) >= manner.thinking_share {
             continue;
         }
-        // At the floor or into the air, and a little to the speaker's right, as one does who
-        // looks for words (Andersen 1999 in F&H section 4.3.5).
+        // The gaze goes to the floor or into the air, and slightly to the speaker's right, as in
+        // word search (Andersen 1999 in F&H section 4.3.5).
         let pitch = if r(1) < manner.frown_share {
             0.24
         } else {
@@ -83,7 +83,7 @@ pub(super) fn licks(
         let u = noise::unit(seed, stream::LICK, i as i64);
         let is_first = next_secs == f64::NEG_INFINITY;
         next_secs = pause.start_secs + manner.lick_secs * (0.6 + 0.6 * u);
-        // The mouth has just begun to speak.
+        // The mouth has just started to speak.
         if is_first && u > 0.3 {
             continue;
         }
@@ -160,6 +160,9 @@ mod tests {
             "{slow:?}"
         );
         assert!(slow.iter().all(|ms| *ms == 0 || *ms > 850), "{slow:?}");
-        assert!(lengths(9.0).iter().all(|ms| *ms == 0));
+        assert!(
+            lengths(9.0).iter().all(|ms| *ms == 0),
+            "no lip is moistened after the pause"
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! A quantity over time as keys with smooth steps between them: what all plans end as.
+//! Keyed values over time with smooth steps between the keys: the output of all plans.
 
 use raconteur_base::curve::{lerp, smooth};
 
@@ -82,7 +82,10 @@ mod tests {
             [0.0, 1.0, 1.5, 2.0, 9.0].map(|t| track.sample(t)),
             [2.0, 2.0, 3.0, 4.0, 4.0]
         );
-        assert!(track.sample(1.01) - 2.0 < 1e-3);
+        assert!(
+            track.sample(1.01) - 2.0 < 1e-3,
+            "the step is smooth at its start"
+        );
     }
 
     #[test]

@@ -1,5 +1,5 @@
-//! Animations of control parameters (GEVH D.3.29): JSON with key times and values by the
-//! names of parameters.
+//! Animations of control parameters (GEVH D.3.29): JSON with key times and values by parameter
+//! name.
 //!
 //! ```json
 //! {
@@ -12,8 +12,8 @@
 //! }
 //! ```
 //!
-//! `seconds` is the length of one pass. Tracks without `times` have those of the whole. From
-//! key to key values go straight (`linear`, the default) or rest at each key (`smooth`).
+//! `seconds` is the length of one pass. Tracks without `times` use those of the animation. Between
+//! keys, values are interpolated linearly (`linear`, the default) or rest at each key (`smooth`).
 
 use raconteur_base::curve::{last_at_or_before, lerp, smooth};
 use serde::Deserialize;
@@ -215,7 +215,10 @@ mod tests {
             assert!(told.contains(why), "{told}");
         }
         let long = " ".repeat(MAX_BYTES + 1);
-        assert!(ParameterClip::read(&long).is_err());
+        assert!(
+            ParameterClip::read(&long).is_err(),
+            "a clip that is too long is rejected"
+        );
     }
 
     #[test]

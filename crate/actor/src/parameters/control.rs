@@ -1,5 +1,4 @@
-//! The parameters of a face that can be set one by one: its muscles, and the direct parameters of what
-//! no muscle moves.
+//! Single parameters of a face: its muscles, and the direct parameters without a muscle.
 
 use raconteur_body::face::{FaceControls, Jaw, MUSCLES, Muscle};
 
@@ -155,7 +154,7 @@ mod tests {
         for i in 0..DIALS {
             let dial = FaceControl::from_index(i).expect("a dial");
             assert_eq!(dial.index(), i);
-            assert!(!dial.name().is_empty());
+            assert!(!dial.name().is_empty(), "the dial has a name");
             let mut asked = rest;
             dial.add(0.5, &mut asked);
             assert_eq!(
@@ -197,7 +196,10 @@ mod tests {
         assert_eq!(asked.jaw.pitch_rad, 0.35);
         assert_eq!(asked.jaw.forward_m, 0.008);
         assert_eq!((asked.upper_lid, asked.blush), ([1.0; 2], 1.0));
-        assert!(asked.contraction.iter().all(|v| *v == 1.0));
+        assert!(
+            asked.contraction.iter().all(|v| *v == 1.0),
+            "full values contract every muscle fully"
+        );
         let mut limited = asked;
         limited.limit();
         assert_eq!(limited, asked);

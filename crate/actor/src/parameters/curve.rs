@@ -1,4 +1,4 @@
-//! The course of one parameter through a story.
+//! Course of one parameter through a story.
 
 use std::sync::Arc;
 
@@ -142,9 +142,18 @@ mod tests {
     fn steps_take_a_frame_and_the_phase_after_them_ends_when_it_should() {
         let mut curve = Curve::new(0.0);
         curve.append_keys(1.0, &[(1.0, 1.0), (1.5, 0.5), (1.5, 0.5), (1.5, 0.0)]);
-        assert!((curve.sample(1.0 + STEP_SECS) - 1.0).abs() < 1e-12);
-        assert!((curve.sample(1.5) - 0.5).abs() < 1e-12);
-        assert!(curve.sample(1.5 + STEP_SECS).abs() < 1e-12);
+        assert!(
+            (curve.sample(1.0 + STEP_SECS) - 1.0).abs() < 1e-12,
+            "the step is complete after one frame"
+        );
+        assert!(
+            (curve.sample(1.5) - 0.5).abs() < 1e-12,
+            "the phase ends halfway at 1.5 s"
+        );
+        assert!(
+            curve.sample(1.5 + STEP_SECS).abs() < 1e-12,
+            "the step after the phase is complete"
+        );
     }
 
     #[test]
@@ -153,7 +162,10 @@ mod tests {
         curve.push(0.0, ParameterChange::Ease(7.0));
         curve.push(1.0, ParameterChange::Ease(-7.0));
         for i in 0..200 {
-            assert!((0.0..=1.0).contains(&curve.sample(f64::from(i) * 0.01)));
+            assert!(
+                (0.0..=1.0).contains(&curve.sample(f64::from(i) * 0.01)),
+                "the curve stays between 0 and 1"
+            );
         }
         let mut both = Curve::new(-1.0);
         both.push(0.0, ParameterChange::Ease(-0.5));

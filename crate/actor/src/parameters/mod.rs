@@ -1,5 +1,5 @@
-//! Control parameters that a story moves by name (GEVH 3.2.4): muscles, what no muscle moves,
-//! visemes and emotions; set, led through phases, or animated.
+//! Control parameters that a story moves by name (GEVH 3.2.4): muscles, parameters without a
+//! muscle, visemes and emotions; set, driven through phases, or animated.
 
 mod clip;
 mod control;

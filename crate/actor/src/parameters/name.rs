@@ -1,4 +1,4 @@
-//! The control parameters and their names (GEVH 3.2.4).
+//! Control parameters and their names (GEVH 3.2.4).
 
 use raconteur_body::face::MUSCLES;
 use raconteur_speech::emotion::WORDS;
@@ -164,7 +164,10 @@ fn is_of_parts(mut rest: &str) -> bool {
 }
 
 // Parameters are counted in a byte.
-const _: () = assert!(Parameter::COUNT <= 256 && MUSCLES <= DIALS);
+const _: () = assert!(
+    Parameter::COUNT <= 256 && MUSCLES <= DIALS,
+    "parameters fit a byte and muscles are dials"
+);
 
 #[cfg(test)]
 mod tests {

@@ -1,4 +1,4 @@
-//! What a story asks of control parameters (GEVH D.3.27 to D.3.30).
+//! Commands of a story to control parameters (GEVH D.3.27 to D.3.30).
 
 use super::name::Parameter;
 

@@ -177,7 +177,7 @@ mod tests {
             (2.4, 1.0),
             (2.5, 0.8),
             (2.6, 0.6),
-            // The sustain value comes within a frame of 0.04 s.
+            // The sustain value is reached within a frame of 0.04 s.
             (2.62, 0.55),
             (2.64, 0.5),
             (2.9, 0.5),
@@ -291,13 +291,22 @@ mod tests {
         let half = track(vec![set("aa", 0.5)]);
         assert_eq!(half.visemes(-1.0), None);
         let mouth = half.visemes(1.0).expect("a mouth");
-        assert!((mouth.channel(Channel::Jaw) - 0.325).abs() < 1e-12);
+        assert!(
+            (mouth.channel(Channel::Jaw) - 0.325).abs() < 1e-12,
+            "the mean jaw opening of both visemes"
+        );
         let shut = track(vec![set("PP", 1.0)]).visemes(1.0).expect("a mouth");
         assert_eq!((shut.press, shut.channel(Channel::LipOpen)), (1.0, 0.0));
         let both = track(vec![set("aa", 1.0), set("FF", 1.0)]);
         let mouth = both.visemes(1.0).expect("a mouth");
-        assert!((mouth.bite - 0.5).abs() < 1e-12);
-        assert!((mouth.channel(Channel::Jaw) - 0.375).abs() < 1e-12);
+        assert!(
+            (mouth.bite - 0.5).abs() < 1e-12,
+            "the mean bite of both visemes"
+        );
+        assert!(
+            (mouth.channel(Channel::Jaw) - 0.375).abs() < 1e-12,
+            "the weighted jaw opening"
+        );
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Made-up clips, and a stage on which players play them.
+//! Generated clips, and a stage on which players play them.
 
 #![allow(dead_code, reason = "each test uses some of it")]
 

@@ -1,4 +1,4 @@
-//! What must hold whatever the text of an animation: shared by the tests and the fuzz target.
+//! Invariants of any animation text, shared by the tests and the fuzz target.
 
 use raconteur_actor::animation::{
     BoneSet, Library, Operation, Playback, PlayerCommand, PlayerKind, PlayerScript, Players,
@@ -12,7 +12,10 @@ use raconteur_body::{Pose, Skeleton};
 pub(crate) fn animation(text: &str) {
     let short = |why: &str| assert!(!why.is_empty() && why.len() < 4096, "{why}");
     match ParameterClip::read(text) {
-        Ok(clip) => assert!(clip.duration_secs() >= 0.0 && clip.duration_secs().is_finite()),
+        Ok(clip) => assert!(
+            clip.duration_secs() >= 0.0 && clip.duration_secs().is_finite(),
+            "the clip has a finite duration of at least 0 s"
+        ),
         Err(why) => short(&why),
     }
     let mut library = Library::default();
@@ -20,7 +23,10 @@ pub(crate) fn animation(text: &str) {
         return short(&why);
     }
     let seconds = library.get("x").map_or(0.0, |clip| clip.duration_secs());
-    assert!((0.0..=3600.0).contains(&seconds));
+    assert!(
+        (0.0..=3600.0).contains(&seconds),
+        "the duration is between 0 and 3600 s"
+    );
     let add = PlayerCommand::Add {
         name: "p".to_owned(),
         kind: PlayerKind::Multiple(1),

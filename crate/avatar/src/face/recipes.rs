@@ -1,4 +1,4 @@
-//! Names that targets and expressions bear, and how channels are made of them.
+//! Names of targets and expressions, and the composition of channels from them.
 
 use raconteur_body::figure::{JAW_OPEN_RAD, MOUTH_CLOSE_RAD};
 

@@ -1,4 +1,4 @@
-//! Morphs of a geometry, from the file's targets.
+//! Morph targets of a geometry, from the file's targets.
 
 use raconteur_base::{DMat3, DVec3, ops};
 use raconteur_body::read::{ReadError, document};

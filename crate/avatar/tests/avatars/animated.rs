@@ -1,4 +1,4 @@
-//! Animations of foreign files become clips.
+//! Conversion of imported animations to clips.
 
 use std::fs;
 use std::path::PathBuf;
@@ -55,15 +55,22 @@ fn a_walk_swings_the_legs_in_turn_and_closes() {
     for list in [&left, &right] {
         for q in list {
             let length: f64 = (0..4).map(|i| q[i].as_f64().unwrap_or(0.0).powi(2)).sum();
-            assert!((length - 1.0).abs() < 1e-3);
+            assert!(
+                (length - 1.0).abs() < 1e-3,
+                "the quaternion has unit length"
+            );
         }
     }
-    // What the file has no bones for is left to others.
-    assert!(clip["tracks"]["bone_l_index0"].is_null());
+    // Other layers move the bones that the file lacks.
+    assert!(
+        clip["tracks"]["bone_l_index0"].is_null(),
+        "the fingers have no track"
+    );
     let up = rows(&clip, "root", "up");
     assert!(
         up.iter()
-            .all(|v| v.as_f64().is_some_and(|x| x.abs() < 15.0))
+            .all(|v| v.as_f64().is_some_and(|x| x.abs() < 15.0)),
+        "the vertical motion stays below 15"
     );
 }
 
@@ -77,14 +84,26 @@ fn one_of_several_is_found_by_its_name() {
             serde_json::from_str(&convert_animation(name, &bytes).expect(name)).expect("JSON");
         clip["seconds"].as_f64().expect("a length")
     };
-    assert!(length("Wave") > 0.5 && length("Jump") > 0.3);
-    assert!(convert_animation("Somersault", &bytes).is_err());
+    assert!(
+        length("Wave") > 0.5 && length("Jump") > 0.3,
+        "both named clips have a duration"
+    );
+    assert!(
+        convert_animation("Somersault", &bytes).is_err(),
+        "an unknown clip name is rejected"
+    );
 }
 
 #[test]
 fn what_is_broken_or_no_human_is_refused() {
-    assert!(convert_animation("", b"").is_err());
-    assert!(convert_animation("", b"{\"asset\":{\"version\":\"2.0\"}}").is_err());
+    assert!(
+        convert_animation("", b"").is_err(),
+        "an empty file is rejected"
+    );
+    assert!(
+        convert_animation("", b"{\"asset\":{\"version\":\"2.0\"}}").is_err(),
+        "a file without a figure is rejected"
+    );
     if let Some(bytes) = real("Fox.glb") {
         let fault = convert_animation("", &bytes);
         assert!(

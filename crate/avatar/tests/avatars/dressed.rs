@@ -1,5 +1,5 @@
-//! What of a file is worn, hidden or offered in other forms: clothes on skeletons of their own,
-//! nodes that are not visible, pictures that only some programs read.
+//! Worn, hidden and alternative parts of a file: clothes on own skeletons, invisible nodes, images
+//! for some programs only.
 
 use raconteur_avatar::import_figure;
 use raconteur_base::DVec3;
@@ -99,12 +99,18 @@ fn clothes_with_few_bones_do_not_lead_the_body() {
         }
     }
     let imported = import(&file);
-    assert!(!codes(&imported).contains(&"fingers-missing"));
+    assert!(
+        !codes(&imported).contains(&"fingers-missing"),
+        "the body has its fingers"
+    );
     let body = posed(&imported.figure, 1, &pose());
     let reference = make(&Avatar::new(Dialect::Mixamo));
     let wanted = posed(&import(&reference).figure, 0, &pose());
     let off = body.iter().zip(&wanted).map(|(a, b)| a.distance(*b));
-    assert!(off.fold(0.0, f64::max) < 1e-4);
+    assert!(
+        off.fold(0.0, f64::max) < 1e-4,
+        "the vertices of the body keep their positions"
+    );
 }
 
 #[test]

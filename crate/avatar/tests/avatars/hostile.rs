@@ -1,4 +1,4 @@
-//! Tampered and real foreign files: errors, never a panic.
+//! Corrupted and real imported files: errors, never a panic.
 
 use std::fs;
 use std::path::PathBuf;
@@ -34,7 +34,7 @@ fn sample_figures_perform() {
             );
         }
         for m in &figure.inverse_bind {
-            assert!(m.is_finite());
+            assert!(m.is_finite(), "the matrix is finite");
         }
     }
     if let Some(bytes) = real("CesiumMan.glb") {
@@ -54,14 +54,29 @@ fn sample_figures_perform() {
 #[test]
 fn faults_are_named() {
     let fault = |bytes: &[u8]| open_figure("x", bytes).expect_err("a fault").to_string();
-    assert!(fault(b"").contains("empty"));
-    assert!(fault(b"Kaydara FBX Binary  ").contains("FBX"));
-    assert!(fault(b"PK\x03\x04").contains("zip"));
-    assert!(fault(b"nonsense").contains("neither"));
-    assert!(fault(b"{}").contains("asset version"));
+    assert!(fault(b"").contains("empty"), "the error for an empty file");
+    assert!(
+        fault(b"Kaydara FBX Binary  ").contains("FBX"),
+        "the error for an FBX file"
+    );
+    assert!(
+        fault(b"PK\x03\x04").contains("zip"),
+        "the error for a zip archive"
+    );
+    assert!(
+        fault(b"nonsense").contains("neither"),
+        "the error for an unknown format"
+    );
+    assert!(
+        fault(b"{}").contains("asset version"),
+        "the error for a missing asset version"
+    );
     let whole = make(&Avatar::new(Dialect::Vrm1));
     let glb = whole.glb();
-    assert!(fault(&glb[..glb.len() / 2]).contains("shorter"));
+    assert!(
+        fault(&glb[..glb.len() / 2]).contains("shorter"),
+        "the error for a truncated file"
+    );
     let tampered = |change: &dyn Fn(&mut serde_json::Value)| {
         let mut file = make(&Avatar::new(Dialect::Vrm1));
         change(&mut file.json);
@@ -80,7 +95,7 @@ fn faults_are_named() {
     });
     assert!(huge.contains("more numbers"), "{huge}");
     let big = tampered(&|j| j["nodes"][3]["scale"] = serde_json::json!([1e300, 1e300, 1e300]));
-    assert!(!big.is_empty());
+    assert!(!big.is_empty(), "the oversized file is not empty");
 }
 
 /// Replaces a number of the JSON by a hostile word.
@@ -164,7 +179,8 @@ fn tamper(glb: &[u8], rounds: u64) -> usize {
                     assert!(
                         mesh.indices
                             .iter()
-                            .all(|i| (*i as usize) < mesh.positions.len())
+                            .all(|i| (*i as usize) < mesh.positions.len()),
+                        "every index refers to a vertex"
                     );
                 }
             }

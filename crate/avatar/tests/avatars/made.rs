@@ -1,7 +1,7 @@
-//! Stick figures in the dialects of other people's avatars, made by code.
+//! Generated stick figures in the dialects of other avatars.
 //!
-//! Every joint carries a small octahedron around itself, so that a test can see where a
-//! joint went by looking at its vertices. Joints have arbitrary axes, as rigs do.
+//! Every joint carries a small octahedron around itself, so that a test finds the joint's position
+//! from its vertices. Joints have arbitrary axes, as in rigs.
 
 mod file;
 mod spelling;
@@ -274,7 +274,7 @@ pub(crate) fn make(avatar: &Avatar) -> File {
         bin: Vec::new(),
         parts: joints.iter().map(|j| j.part.clone()).collect(),
     };
-    // Joint from the armature's space, with axes that mean nothing.
+    // The joint in the armature's space, with arbitrary axes.
     let own: Vec<DAffine3> = joints
         .iter()
         .enumerate()

@@ -1,4 +1,4 @@
-//! The importer of other people's avatars.
+//! Tests of the avatar importer.
 
 mod animated;
 mod dressed;

@@ -1,4 +1,4 @@
-//! Names that programs give the same bones.
+//! Names of the same bones in different programs.
 
 use serde_json::json;
 

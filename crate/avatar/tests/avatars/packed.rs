@@ -1,4 +1,4 @@
-//! Avatars whose views are compressed, as `gltfpack -cc` writes them.
+//! Avatars with compressed views, as written by `gltfpack -cc`.
 
 use meshoptimizer_rs::Workspace;
 use meshoptimizer_rs::codec::{
@@ -77,7 +77,7 @@ fn compressed(file: &File) -> (Value, Vec<u8>) {
         }
         bin.resize(bin.len().next_multiple_of(4), 0);
     }
-    assert!(fallback > 0);
+    assert!(fallback > 0, "the file has fallback buffers");
     json["buffers"] = json!([
         { "byteLength": bin.len() },
         { "byteLength": fallback, "extensions": { EXTENSION: { "fallback": true } } },
@@ -112,9 +112,12 @@ fn compressed_avatars_are_as_plain_ones() {
     let (plain, packed) = (figure(&file.glb()), figure(&glb(&compressed(&file))));
     assert_eq!(plain.meshes.len(), packed.meshes.len());
     assert_eq!(plain.morph_names, packed.morph_names);
-    assert!(plain.meshes.iter().any(|m| !m.morphs.is_empty()));
+    assert!(
+        plain.meshes.iter().any(|m| !m.morphs.is_empty()),
+        "the figure has morph targets"
+    );
     for (a, b) in plain.meshes.iter().zip(&packed.meshes) {
-        assert!(a.joints == b.joints);
+        assert!(a.joints == b.joints, "compression keeps the joints");
         assert_eq!(a.indices.len(), b.indices.len());
         for (s, t) in a.indices.chunks(3).zip(b.indices.chunks(3)) {
             let mut t = t.to_vec();
@@ -123,11 +126,20 @@ fn compressed_avatars_are_as_plain_ones() {
             assert_eq!(s, t);
         }
         // The filter of positions rounds, and weights of twisting helpers follow it.
-        assert!(near(&a.weights, &b.weights));
-        assert!(near(&a.positions, &b.positions));
+        assert!(
+            near(&a.weights, &b.weights),
+            "compression keeps the weights within its precision"
+        );
+        assert!(
+            near(&a.positions, &b.positions),
+            "compression keeps the positions within its precision"
+        );
         assert_eq!(a.morphs.len(), b.morphs.len());
         for (m, n) in a.morphs.iter().zip(&b.morphs) {
-            assert!(near(&m.position_deltas, &n.position_deltas));
+            assert!(
+                near(&m.position_deltas, &n.position_deltas),
+                "compression keeps the morph deltas within its precision"
+            );
         }
     }
 }
@@ -146,29 +158,53 @@ fn streams_that_are_none_are_refused() {
         fault(&move |view| view["extensions"][EXTENSION][key] = value.clone())
     };
     let packed = |e: &ImportError| matches!(e, ImportError::Read(ReadError::Packed { .. }));
-    assert!(packed(&set("count", json!(0))));
-    assert!(packed(&set("byteLength", json!(2))));
-    assert!(packed(&set("mode", json!("STRIPS"))));
-    assert!(packed(&set("filter", json!("COLOR"))));
-    assert!(matches!(
-        set("byteOffset", json!(1_u64 << 40)),
-        ImportError::Read(ReadError::Truncated { .. })
-    ));
-    assert!(matches!(
-        set("buffer", json!(7)),
-        ImportError::Read(ReadError::OutOfRange { .. })
-    ));
+    assert!(
+        packed(&set("count", json!(0))),
+        "a stream of 0 elements is rejected"
+    );
+    assert!(
+        packed(&set("byteLength", json!(2))),
+        "a stream of 2 bytes is rejected"
+    );
+    assert!(
+        packed(&set("mode", json!("STRIPS"))),
+        "an unknown mode is rejected"
+    );
+    assert!(
+        packed(&set("filter", json!("COLOR"))),
+        "an unsupported filter is rejected"
+    );
+    assert!(
+        matches!(
+            set("byteOffset", json!(1_u64 << 40)),
+            ImportError::Read(ReadError::Truncated { .. })
+        ),
+        "an offset beyond the buffer is rejected"
+    );
+    assert!(
+        matches!(
+            set("buffer", json!(7)),
+            ImportError::Read(ReadError::OutOfRange { .. })
+        ),
+        "an unknown buffer is rejected"
+    );
     // The buffer that is not there cannot be read from, and no view unpacks to a terabyte.
-    assert!(matches!(
-        set("buffer", json!(1)),
-        ImportError::Read(ReadError::Truncated { .. })
-    ));
+    assert!(
+        matches!(
+            set("buffer", json!(1)),
+            ImportError::Read(ReadError::Truncated { .. })
+        ),
+        "a buffer that is too short is rejected"
+    );
     let huge = fault(&|view| {
         let stride = number(&view["extensions"][EXTENSION], "byteStride");
         view["byteLength"] = json!(stride as u64 * (3 << 30));
         view["extensions"][EXTENSION]["count"] = json!(3_u64 << 30);
     });
-    assert!(matches!(huge, ImportError::Read(ReadError::TooLarge)));
+    assert!(
+        matches!(huge, ImportError::Read(ReadError::TooLarge)),
+        "an oversized stream is rejected"
+    );
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Other people's avatars: any dialect, unit, facing and rest pose performs as ours do.
+//! Imported avatars: any dialect, unit, facing and rest pose performs as generated figures do.
 
 use crate::made::{Avatar, Dialect, FOREARM_M, File, UPPER_ARM_M, delta, make};
 use raconteur_avatar::{ImportError, Imported, convert, import_figure, open_figure};
@@ -87,7 +87,7 @@ fn variants() -> Vec<Avatar> {
                 },
                 arms_down_rad,
                 elbow_rad,
-                // VRM's nodes must stand in the pose of the skin.
+                // VRM's nodes must be in the pose of the skin.
                 posed_rad: match dialect {
                     Dialect::Vrm0 | Dialect::Vrm1 => 0.0,
                     _ => 0.3 * (k % 2) as f64,
@@ -151,16 +151,23 @@ fn the_rest_pose_is_kept_in_the_bind() {
         let figure = import(&make(&avatar)).figure;
         for mesh in &figure.meshes {
             for (weights, joints) in mesh.weights.iter().zip(&mesh.joints) {
-                assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-5);
+                assert!(
+                    (weights.iter().sum::<f32>() - 1.0).abs() < 1e-5,
+                    "the weights of a vertex add up to 1"
+                );
                 assert!(
                     joints
                         .iter()
-                        .all(|j| usize::from(*j) < figure.inverse_bind.len())
+                        .all(|j| usize::from(*j) < figure.inverse_bind.len()),
+                    "every vertex joint exists"
                 );
             }
             for n in &mesh.normals {
                 let length = DVec3::from_array(n.map(f64::from)).length();
-                assert!((length - 1.0).abs() < 1e-4);
+                assert!(
+                    (length - 1.0).abs() < 1e-4,
+                    "the bone direction has unit length"
+                );
             }
         }
         let lowest = figure.meshes[0]
@@ -175,7 +182,7 @@ fn the_rest_pose_is_kept_in_the_bind() {
             .iter()
             .map(|p| p[2])
             .fold(f32::MIN, f32::max);
-        assert!(toe > 0.1);
+        assert!(toe > 0.1, "the toe is in front of the ankle");
     }
 }
 
@@ -199,7 +206,10 @@ fn what_is_converted_is_read_by_the_player() {
             // The file's grid is 0.03 mm.
             assert!(a.distance(*b) < 2e-4, "{dialect:?} {a} {b}");
         }
-        assert!(open_figure("x", &glb).expect("ours").diagnostics.is_empty());
+        assert!(
+            open_figure("x", &glb).expect("ours").diagnostics.is_empty(),
+            "the converted figure opens without diagnostics"
+        );
     }
 }
 
@@ -257,13 +267,13 @@ fn visemes_are_composed() {
     };
     let imported = import(&make(&avatar));
     let f = &imported.figure;
-    // The widest vowel is a jaw of 0.245 rad, at which `jawOpen` stands at 0.7.
+    // The widest vowel is a jaw of 0.245 rad, at which `jawOpen` is 0.7.
     near(moved(f, "jawOpen").map(|d| d * 0.7), delta(1));
     near(moved(f, "mouthPucker"), delta(2) * 0.9 - delta(1) * 0.2);
     near(moved(f, "mouthPressLeft"), delta(3) * 1.2);
     near(moved(f, "mouthSmileRight"), delta(4) * 0.5);
-    // Lips closed over the jaw of that vowel end where they began: 0.7 of the one, and of
-    // the other what 0.245 rad asks for.
+    // Lips closed over the jaw of that vowel end at their initial position: 0.7 of one target, and
+    // the weight that 0.245 rad requires of the other.
     let closed = moved(f, "jawOpen").zip(moved(f, "mouthClose"));
     near(
         closed.map(|(jaw, close)| jaw * 0.7 + close * (0.245 / 0.2) + delta(1)),
@@ -273,9 +283,13 @@ fn visemes_are_composed() {
         imported
             .diagnostics
             .iter()
-            .any(|d| d.code == "mouth-by-visemes")
+            .any(|d| d.code == "mouth-by-visemes"),
+        "the diagnostics report the mouth by visemes"
     );
-    assert!(imported.diagnostics.iter().any(|d| d.code == "lids-still"));
+    assert!(
+        imported.diagnostics.iter().any(|d| d.code == "lids-still"),
+        "the diagnostics report lids that do not move"
+    );
 }
 
 #[test]
@@ -319,7 +333,10 @@ fn a_face_without_targets_is_told() {
         .diagnostics
         .iter()
         .find(|d| d.code == "mouth-still");
-    assert!(d.is_some_and(|d| d.message.contains("does not move")));
+    assert!(
+        d.is_some_and(|d| d.message.contains("does not move")),
+        "the diagnostic names the face that does not move"
+    );
 }
 
 #[test]
@@ -342,10 +359,13 @@ fn compression_and_other_files_are_refused_by_name() {
     let mut json = whole.json.clone();
     json["buffers"] = serde_json::json!([{ "byteLength": 4_294_967_295u32 }]);
     let huge = crate::made::pack(json.to_string().as_bytes(), &whole.bin);
-    assert!(matches!(
-        open_figure("x", &huge),
-        Err(ImportError::Read(ReadError::Truncated { .. }))
-    ));
+    assert!(
+        matches!(
+            open_figure("x", &huge),
+            Err(ImportError::Read(ReadError::Truncated { .. }))
+        ),
+        "a length beyond the file is rejected"
+    );
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Abbreviations and where they stand for what.
+//! Abbreviations and their expansion in context.
 
 use super::language::Language;
 use super::starters::is_starter;
@@ -317,7 +317,7 @@ pub fn expand(words: &[Word<'_>], at: usize, language: Language) -> Option<Expan
         Language::German => {
             next.is_none_or(Word::is_capital) && matches!(name, "usw" | "etc" | "u.s.w")
         }
-        // "5 p.m. Monday" goes on.
+        // "5 p.m. Monday" continues the sentence.
         _ => next.is_none_or(|next| next.is_capital() && !is_day(&next.core)),
     };
     let ends = end_of_text || place == Any && capital;
@@ -361,7 +361,8 @@ fn street(
     let named = previous.is_some_and(|w| {
         (w.is_capital() || w.core.ends_with("th")) && w.end.is_empty() && w.core.chars().count() > 2
     });
-    // A word that begins a sentence after it has its capital too: a common one tells that.
+    // A word that begins a sentence is also capitalised; a common sentence starter indicates a
+    // sentence end.
     let starts = next.is_some_and(|w| is_starter(&w.core, language));
     let quarter = next.is_some_and(|w| matches!(w.core.as_str(), "NW" | "NE" | "SW" | "SE"));
     let last = next.is_none_or(|w| !w.is_capital()) || starts || quarter;

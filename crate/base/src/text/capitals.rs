@@ -1,4 +1,4 @@
-//! Capitals: which words of them are shouted, and which are letters.
+//! Classification of capitals: shouted words and spelled letters.
 
 use super::capitals_lists::{LETTERS, NAMES, UNCLEAR, WORDS};
 use super::language::Language;
@@ -49,13 +49,13 @@ pub fn is_pronounceable(word: &str) -> bool {
     }
     let onset: String = word.chars().take_while(|c| !is_vowel(*c)).collect();
     let begins = onset.chars().count() < 2 || has(ONSETS, &onset);
-    // Of three letters few are words that end in two consonants: "ibm" is none.
+    // Few three-letter words end in two consonants, so "ibm" is not a word.
     let (least, most) = if word.chars().count() < 4 {
         (3, 1)
     } else {
         (4, 2)
     };
-    // What is long is no acronym: "angst", "length".
+    // Long words are not acronyms: "angst", "length".
     let is_long = word.chars().count() > 4;
     // "arms", "asks", "tents".
     let most = if word.ends_with('s') { most + 1 } else { most };

@@ -1,6 +1,6 @@
-//! Capitals that shape alone does not tell: short words that people shout, acronyms that could be
-//! said as words but are spelled, and names that are said as words though they are acronyms.
-//! The order of languages is [English, German, Portuguese].
+//! Capitals that the word's shape does not classify: short words that people shout, acronyms that
+//! look like words but are spelled, and acronyms spoken as words. The order of languages is
+//! [English, German, Portuguese].
 
 /// Common words of two and three letters, and longer ones of an unusual shape.
 pub(super) const WORDS: [&str; 3] = [

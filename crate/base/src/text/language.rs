@@ -1,4 +1,4 @@
-//! The languages that text is read in.
+//! Languages with rules for numbers, dates and signs.
 
 /// A language whose numbers, dates and signs are read here. The order is that of the
 /// columns in every table of words.

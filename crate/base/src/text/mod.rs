@@ -1,8 +1,8 @@
-//! How written language is parted: words and the signs around them, abbreviations, capitals,
-//! numerals, and where sentences end.
+//! Segmentation of written language: words and adjacent signs, abbreviations, capitals, numerals,
+//! and sentence ends.
 //!
-//! Whoever reads a text asks here (the baker, the captions, scripts made of plain text), so that
-//! the same text has the same words and sentences wherever it comes from.
+//! All readers of text (the baker, the captions, scripts made of plain text) use this module, so
+//! that the same text has the same words and sentences everywhere.
 
 pub mod abbreviation;
 pub mod capitals;

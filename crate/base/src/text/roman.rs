@@ -1,4 +1,4 @@
-//! Roman numerals, and the names of rulers that take one.
+//! Roman numerals, and the names of rulers followed by one.
 
 use super::language::Language;
 

@@ -1,4 +1,4 @@
-//! Scripts, and which languages are written in them: a voice reads those of its own language.
+//! Scripts and their languages: a voice reads the scripts of its own language.
 
 /// A script, as distinguished by the reading ability of voices (ISO 15924).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -162,8 +162,14 @@ mod tests {
         }
         for (at, row) in SCRIPTS.iter().enumerate() {
             assert_eq!(row.0 as usize, at);
-            assert!(row.0.is_read_in(row.2));
+            assert!(
+                row.0.is_read_in(row.2),
+                "a word is read in the language of its script"
+            );
         }
-        assert!(!Hebrew.is_read_in("en-US") && Han.is_read_in("ja") && Latin.is_read_in("de"));
+        assert!(
+            !Hebrew.is_read_in("en-US") && Han.is_read_in("ja") && Latin.is_read_in("de"),
+            "the scripts readable in each language"
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! Where sentences end.
+//! Sentence boundaries.
 
 use super::abbreviation;
 use super::language::Language;
@@ -44,7 +44,7 @@ pub fn ends_after(words: &[Word<'_>], at: usize, language: Option<Language>) -> 
         return pair.ends;
     }
     if let Some(found) = abbreviation::expand(words, at, language) {
-        // The first half of one ends nothing.
+        // The first half of a spaced abbreviation does not end a sentence.
         return found.ends && found.spoken.len() == 1;
     }
     language != Language::German || german_stop_ends(words, at)

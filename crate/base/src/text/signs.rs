@@ -1,4 +1,4 @@
-//! Signs that stand between words on their own: shown with one of them, since a caption is made of
+//! Isolated signs between words: each is shown with an adjacent word, because a caption consists of
 //! words.
 
 /// Opening signs, which belong to the following word.
@@ -23,7 +23,7 @@ pub fn belonging_to_previous(signs: &[&str], previous: Option<&str>, next: Optio
         .iter()
         .position(|sign| {
             let is_next =
-                // Behind a mark they begin something, but for what closes.
+                // After a punctuation mark, signs begin a phrase, except closing signs.
                 is_marked(before) && !sign.chars().all(|c| CLOSING.contains(c))
                 || sign.ends_with(|c| OPENING.contains(c))
                 || before_number

@@ -1,4 +1,4 @@
-//! A written word: its readable part, and the punctuation around it.
+//! Written word: its readable part, and the punctuation around it.
 
 use std::borrow::Cow;
 
@@ -158,7 +158,7 @@ impl<'a> Word<'a> {
         let mut end = String::new();
         for c in tail.chars() {
             let sign = if c == '\u{2026}' { '.' } else { c };
-            // Three different signs say all there is to say: "?!".
+            // Three different signs suffice, as in "?!".
             if ",.;:!?".contains(sign) && !end.contains(sign) && end.len() < 3 {
                 end.push(sign);
             }

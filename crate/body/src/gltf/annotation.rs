@@ -1,8 +1,8 @@
-//! Names on the mesh: landmarks and segments of the face, and how a file holds them.
+//! Names on the mesh: landmarks and segments of the face, and their representation in a file.
 //!
-//! In a file they lie in the scene's extras: `landmarks` maps a name to `[mesh, vertex]`;
-//! `segments` is a list, parents first, of `{ name, parent, mesh, runs }`, where `runs`
-//! holds pairs of first vertex and count. Meshes count as the file's `meshes` do.
+//! The file stores them in the scene's extras: `landmarks` maps a name to `[mesh, vertex]`;
+//! `segments` is a list, parents first, of `{ name, parent, mesh, runs }`, where `runs` contains
+//! pairs of first vertex and count. Mesh numbers are those of the file's `meshes`.
 
 use serde_json::{Map, Value, json};
 

@@ -1,4 +1,4 @@
-//! Fields of a document's JSON. One of a wrong type counts as absent.
+//! JSON fields of a document. A field of a wrong type counts as absent.
 
 use serde_json::Value;
 

@@ -1,5 +1,5 @@
-//! Figures as glTF 2.0 binary: reading, writing, and what lies in a file beside meshes and joints.
-//! Nothing else of the crate knows how a file holds a figure.
+//! Figures as glTF 2.0 binary: reading, writing, and the content of a file apart from meshes and
+//! joints. Only this module knows the file representation of a figure.
 
 pub mod annotation;
 mod fields;

@@ -1,7 +1,7 @@
-//! Reads a figure from glTF 2.0 binary (`.glb`).
+//! Reader of figures from glTF 2.0 binary (`.glb`).
 //!
-//! Takes files whose nodes bear the names of the 54 bones (GEVH appendix A), as the
-//! generator writes them. Every fault of the file is a [`ReadError`]; none panics.
+//! It accepts files whose nodes have the names of the 54 bones (GEVH appendix A), as written by the
+//! generator. Every fault of the file is a [`ReadError`]; none causes a panic.
 
 pub mod accessor;
 #[allow(missing_docs, reason = "the fields are those of glTF")]
@@ -258,7 +258,7 @@ fn bind_of(root: &Document<'_>, world: &[DAffine3], skeleton: &Skeleton) -> Vec<
     let mut bind: Vec<DAffine3> = Vec::with_capacity(skeleton.joints().len());
     for joint in skeleton.joints() {
         let placed = node_named(root, &joint.name).map(|n| world[n].inverse());
-        // A helper that the file lacks moves no vertex; its parent's bind does.
+        // A missing helper joint moves no vertex; the bind matrix of its parent suffices.
         bind.push(
             placed
                 .or_else(|| joint.parent.map(|p| bind[p]))

@@ -197,7 +197,10 @@ mod tests {
         let read = read(&root);
         assert_eq!(read.colliders, springs.colliders);
         for (a, b) in read.chains[0].links.iter().zip(&springs.chains[0].links) {
-            assert!(a.gravity.distance(b.gravity) < 1e-12);
+            assert!(
+                a.gravity.distance(b.gravity) < 1e-12,
+                "the gravity of the spring round trips"
+            );
             assert_eq!(
                 (a.joint, a.stiffness, a.drag, a.radius_m),
                 (b.joint, b.stiffness, b.drag, b.radius_m)
@@ -233,6 +236,9 @@ mod tests {
             { "node": 1, "stiffness": 1e300, "dragForce": -4, "gravityPower": 1e300 }, { "node": 2 }
         ] }] }));
         let link = wild.chains[0].links[0];
-        assert!(link.stiffness <= 10.0 && link.drag == 0.0 && link.gravity.length() <= 10.0);
+        assert!(
+            link.stiffness <= 10.0 && link.drag == 0.0 && link.gravity.length() <= 10.0,
+            "hostile spring values are clamped"
+        );
     }
 }

@@ -1,9 +1,8 @@
-//! A figure as glTF 2.0 binary.
+//! Writer of a figure as glTF 2.0 binary.
 //!
-//! Positions, normals, texture coordinates and morphs are quantised (KHR_mesh_quantization);
-//! the positions' grid is the same for the whole figure and is undone by the inverse bind
-//! matrices, which is where glTF wants it for skinned meshes. The same figure always gives
-//! the same bytes.
+//! Positions, normals, texture coordinates and morph targets are quantised (KHR_mesh_quantization).
+//! The positions' grid is the same for the whole figure and is undone by the inverse bind matrices,
+//! as glTF requires for skinned meshes. The same figure always gives the same bytes.
 
 mod binding;
 mod buffer;
@@ -133,7 +132,7 @@ fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material
         "indices": buffer.indices(&mesh.indices, mesh.positions.len()),
         "material": material,
     });
-    // The reader takes absent coordinates for zeros.
+    // The reader treats absent coordinates as zeros.
     if mesh.uvs.iter().flatten().any(|x| *x != 0.0) {
         primitive["attributes"]["TEXCOORD_0"] = json!(buffer.uvs(mesh));
     }

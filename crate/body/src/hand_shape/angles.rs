@@ -1,4 +1,4 @@
-//! The angles of a hand, and the rotations of its bones.
+//! Angles of a hand, and the rotations of its bones.
 
 use std::sync::OnceLock;
 

@@ -1,10 +1,10 @@
 //! The 54 bones of GEVH appendix A and their frames.
 //!
-//! Frames of the zero pose (arms stretched out sideways, palms down): local x runs
-//! along the bone; for spine and legs' chain, arms and fingers local y and z complete
-//! a right-handed frame. The source is left-handed (x left, y up, z back) and its rows
-//! for the right hand must have their z components negated; both are settled once, in
-//! [`zero_frames`], by converting the left side and mirroring it:
+//! Frames of the zero pose (arms stretched out sideways, palms down): local x runs along the bone;
+//! for spine and legs' chain, arms and fingers, local y and z complete a right-handed frame. The
+//! source is left-handed (x left, y up, z back), and the z components of its rows for the right
+//! hand must be negated. [`zero_frames`] does both once, by converting the left side and mirroring
+//! it:
 //!
 //! | part | x | y | z | flexion |
 //! |---|---|---|---|---|
@@ -12,9 +12,9 @@
 //! | arm (both sides) | outwards along the arm | front | down (left), up (right) | elbow +z |
 //! | fingers (both sides) | outwards along the finger | dorsal (up) | see below | −z bends to the palm |
 //!
-//! The right frame is the mirrored left frame with its z axis negated, which makes it
-//! a proper rotation. A local rotation (x, y, z, w) on the left equals, mirrored on the
-//! sagittal plane, (−x, −y, z, w) on the right: flexions about z keep their sign.
+//! The right frame is the mirrored left frame with its z axis negated, which makes it a proper
+//! rotation. A local rotation (x, y, z, w) on the left equals, mirrored on the sagittal plane, (−x,
+//! −y, z, w) on the right: flexions about z keep their sign.
 
 use raconteur_base::{DMat3, DQuat, DVec3, Length, Side, mirror_vector};
 
@@ -334,7 +334,7 @@ impl Bone {
 fn source_axes(row: &Row) -> DMat3 {
     let [a, b, c] = row.euler_zyz_deg().map(f64::to_radians);
     let m = DMat3::from_rotation_z(a) * DMat3::from_rotation_y(b) * DMat3::from_rotation_z(c);
-    // The source's z points back; a row of the right hand is negated once more.
+    // The source's z points back; rows of the right hand are negated again.
     let z_sign = if row.flip_z { 1.0 } else { -1.0 };
     let turn = |v: DVec3| DVec3::new(v.x, v.y, z_sign * v.z);
     DMat3::from_cols(turn(m.x_axis), turn(m.y_axis), turn(m.z_axis))

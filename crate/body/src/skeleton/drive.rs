@@ -1,4 +1,4 @@
-//! How a joint turns with the bones.
+//! Rotation of a joint by its bones.
 
 use raconteur_base::{DQuat, DVec3, Side};
 
@@ -116,7 +116,7 @@ pub fn twist_about_x(q: DQuat) -> DQuat {
     if norm < 1e-12 {
         return DQuat::IDENTITY;
     }
-    // The sign of w picks the short way round.
+    // The sign of w selects the shorter rotation.
     let sign = if q.w < 0.0 { -1.0 } else { 1.0 };
     DQuat::from_xyzw(sign * q.x / norm, 0.0, 0.0, sign * q.w / norm)
 }

@@ -1,4 +1,4 @@
-//! The skeleton of a figure: bones, helper joints and how they hang together.
+//! Skeleton of a figure: bones, helper joints and their hierarchy.
 
 mod bone;
 mod drive;
@@ -142,8 +142,8 @@ impl Skeleton {
                 Drive::Eye(side) | Drive::UpperLid(side) | Drive::LowerLid(side) => (
                     Some(skull),
                     local(skull, face.eye_centres[side.index()]),
-                    // Eye frame in the zero pose: the world's axes, so that its x axis
-                    // is the axis about which lids close and gaze falls.
+                    // In the zero pose, the eye frame has the world's axes, so that its x axis is
+                    // the axis of lid closure and vertical gaze.
                     zero[skull].inverse(),
                 ),
                 Drive::Bone(_) | Drive::Spring(..) | Drive::Fixed => continue,

@@ -1,4 +1,4 @@
-//! Frames, forward kinematics, and how the jaw slides.
+//! Tests of frames, forward kinematics and the sliding jaw.
 
 use raconteur_base::mirror_vector;
 
@@ -32,7 +32,7 @@ fn frames_are_proper_and_mirror_each_other() {
     let frames = zero_frames();
     for bone in Bone::ALL {
         let (f, m) = (frames[bone.index()], frames[bone.mirrored().index()]);
-        assert!(f.is_normalized());
+        assert!(f.is_normalized(), "the joint frame is normalised");
         if bone.side().is_some() {
             for (axis, sign) in [(DVec3::X, 1.0), (DVec3::Y, 1.0), (DVec3::Z, -1.0)] {
                 let d = mirror_vector(f * axis) - m * axis * sign;
@@ -88,7 +88,7 @@ fn the_jaw_slides_forwards_and_down_and_takes_nothing_along() {
         assert!(i == chin || a == b, "{}", skeleton.joints()[i].name);
     }
     let slid = after[chin].translation - before[chin].translation;
-    // Seen from the head as the zero pose has it: left, up, front.
+    // The axes relative to the head in the zero pose: left, up, front.
     let skull = Bone::Skull.index();
     let slid = zero_frames()[skull] * (before[skull].matrix3.transpose() * slid);
     assert!(
@@ -98,10 +98,19 @@ fn the_jaw_slides_forwards_and_down_and_takes_nothing_along() {
     assert_eq!(before[chin].matrix3, after[chin].matrix3);
     let skull_to_chin = after[chin].translation.distance(after[skull].translation);
     assert_eq!(skeleton.stretched_m(Bone::Chin, skull_to_chin), 0.0);
-    assert!((skeleton.stretched_m(Bone::Chin, 0.02) - 0.011).abs() < 1e-12);
-    assert!(skeleton.stretched_m(Bone::Chin, f64::NAN).is_nan());
+    assert!(
+        (skeleton.stretched_m(Bone::Chin, 0.02) - 0.011).abs() < 1e-12,
+        "the chin stretches beyond the free distance"
+    );
+    assert!(
+        skeleton.stretched_m(Bone::Chin, f64::NAN).is_nan(),
+        "a distance that is NaN stays NaN"
+    );
     let elbow_m = skeleton.offset_length_m(Bone::LElbow);
-    assert!((skeleton.stretched_m(Bone::LElbow, elbow_m - 0.001) - 0.001).abs() < 1e-12);
+    assert!(
+        (skeleton.stretched_m(Bone::LElbow, elbow_m - 0.001) - 0.001).abs() < 1e-12,
+        "the elbow stretches beyond its bone length"
+    );
 }
 
 #[test]

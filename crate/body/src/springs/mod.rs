@@ -1,9 +1,9 @@
-//! Chains of joints that swing: hair and hanging cloth.
+//! Swinging chains of joints: hair and hanging cloth.
 //!
-//! The data and the rules are those of the glTF extension `VRMC_springBone` 1.0: each joint of a
-//! chain is a pendulum whose end is drawn to its place at rest, pulled down, braked, kept at its
-//! distance and kept out of spheres and capsules that ride on other joints. The rules are iterated
-//! at a fixed rate, so that the same motion always swings the same.
+//! Data and rules are those of the glTF extension `VRMC_springBone` 1.0: each joint of a chain is a
+//! pendulum whose end is drawn to its rest position, pulled down, damped, kept at its distance and
+//! kept out of spheres and capsules attached to other joints. The rules are iterated at a fixed
+//! rate, so that the same motion always gives the same swing.
 
 mod renumbered;
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The same springs on a skeleton that numbers its joints otherwise.
+//! Renumbering of springs for a skeleton with other joint numbers.
 
 use super::{Chain, Collider, SpringLink, Springs};
 

@@ -91,12 +91,15 @@ fn links_keep_their_length_and_clear_of_colliders_and_come_to_rest() {
         springs.step(&skeleton, &mut world, &mut swing);
         let at = ends(&springs, &world);
         for (pair, link) in at.windows(2).zip(&springs.chains[0].links) {
-            assert!((pair[0].distance(pair[1]) - 0.05).abs() < 1e-9);
+            assert!(
+                (pair[0].distance(pair[1]) - 0.05).abs() < 1e-9,
+                "the link keeps its length"
+            );
             for c in &springs.colliders {
                 let [a, b] = c.ends.map(|e| world[c.joint].transform_point3(e));
                 let t = (pair[1] - a).dot(b - a) / (b - a).length_squared().max(1e-12);
                 let off = pair[1].distance(a.lerp(b, t.clamp(0.0, 1.0)));
-                // What is pushed out of one may be pushed back by its length.
+                // The length constraint may push back a link that a collider has pushed out.
                 assert!(off > c.radius_m - 0.003, "{step} {off} {}", link.radius_m);
             }
         }
@@ -106,12 +109,12 @@ fn links_keep_their_length_and_clear_of_colliders_and_come_to_rest() {
         }
     }
     assert!(most_swing > 0.02, "{most_swing}");
-    assert!(last[0].distance(last[1]) < 1e-6);
+    assert!(last[0].distance(last[1]) < 1e-6, "the chain comes to rest");
 }
 
 #[test]
 fn links_turn_no_farther_than_they_may() {
-    // Colliders much larger than the room beside them push as far as they can.
+    // Colliders much larger than the free space push as far as possible.
     let (skeleton, mut springs) = hung(2.0);
     springs.colliders[0].radius_m = 0.12;
     let mut swing = springs.swing();
@@ -150,11 +153,17 @@ fn between_steps_ends_go_straight_and_one_swing_takes_over_from_another() {
     let now = shown(&mut swing, 1.0, None);
     let half = shown(&mut swing, 0.5, None);
     let before = shown(&mut swing, 0.0, None);
-    assert!(now.distance(before) > 1e-4);
-    assert!(half.distance(now.lerp(before, 0.5)) < 0.1 * now.distance(before));
+    assert!(now.distance(before) > 1e-4, "the chain end moves");
+    assert!(
+        half.distance(now.lerp(before, 0.5)) < 0.1 * now.distance(before),
+        "the chain end is near the midpoint between steps"
+    );
     let taken = shown(&mut swing, 1.0, Some((&other, 1.0, 1.0)));
     let own = shown(&mut other, 1.0, None);
-    assert!(taken.distance(own) < 1e-12);
+    assert!(
+        taken.distance(own) < 1e-12,
+        "the chain takes over the state of the other swing"
+    );
 }
 
 #[test]
@@ -169,7 +178,10 @@ fn a_leap_of_the_figure_leaves_the_chain_at_rest() {
         skeleton.solve(&pose, &mut world);
         let rest = ends(&springs, &world);
         springs.step(&skeleton, &mut world, &mut swing);
-        assert!(rest[3].distance(ends(&springs, &world)[3]) < 1e-6);
+        assert!(
+            rest[3].distance(ends(&springs, &world)[3]) < 1e-6,
+            "the chain is at rest after the leap"
+        );
     }
 }
 
@@ -184,5 +196,5 @@ fn other_numbers_lose_chains_and_colliders_whose_joints_are_lost() {
         springs.chains[0].links[0].joint + 1
     );
     let lost = springs.renumbered(&|j| (j != springs.chains[0].links[2].joint).then_some(j));
-    assert!(lost.chains.is_empty());
+    assert!(lost.chains.is_empty(), "chains without joints are removed");
 }

@@ -1,4 +1,4 @@
-//! What several tests of files need.
+//! Helpers shared by several tests of files.
 
 /// A container of this JSON without binary chunk.
 pub(crate) fn container(json: &str) -> Vec<u8> {

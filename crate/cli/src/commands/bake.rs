@@ -78,7 +78,7 @@ impl Bake {
             let files = StoryFiles::read(path)?;
             let name = files.script.display().to_string();
             let script = files.script();
-            // That the voice is missing or stale is what this command is for.
+            // This command provides the missing or stale voice, so these problems are ignored.
             let problems: Vec<_> = script
                 .diagnostics
                 .iter()
@@ -157,7 +157,7 @@ impl Bake {
             },
             None => Cast::new(engine, voice, options)?,
         };
-        // A voice that an option names speaks its own language.
+        // A voice set by an option speaks its own language.
         let language = performer.and_then(|p| p.language.as_deref());
         if let Some(name) = language.filter(|_| voice.is_none()) {
             let tag = language::tag(name).with_context(|| {
@@ -169,7 +169,7 @@ impl Bake {
     }
 
     fn lexicon_text(&self, folder: &Path) -> Result<String> {
-        // One that the user names may lie anywhere.
+        // A lexicon named by the user may be anywhere.
         let path = match &self.lexicon {
             Some(path) => Some(path.clone()),
             None => inside::find(folder, "lexicon.txt")?,
@@ -264,7 +264,7 @@ pub(super) fn list(
         // An engine that is not installed or not running has no voices.
         match Cast::voices_of(name, options) {
             Ok(voices) => rows.extend(voices.into_iter().map(|v| (name, v))),
-            // Servers and recordings are only there for those who ask for them.
+            // Servers and recordings are used only on request.
             Err(error) if engine.is_some() || error.is::<MissingPrograms>() => {
                 missing.add(&MissingPrograms::from_error(&error));
             }

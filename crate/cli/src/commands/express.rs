@@ -189,7 +189,7 @@ impl Clips {
             if i == 0 {
                 picture::set_figure(headless, player.figure())?;
             }
-            // The script lies nowhere; all its music is the library's.
+            // The script has no folder; all its music is from the library.
             let soundtrack = Soundtrack::collect(&player, Path::new(""), 0.0, length);
             let path = self.output.join(format!("{emotion}.mp4"));
             let mut sink = film::Sink::open(&path, self.size, self.fps, length, &soundtrack)?;
@@ -227,7 +227,7 @@ impl Sheet {
             (f64::from(across) * ASPECT).ceil() as u32,
         );
         let bar = progress(aspects.len() as u64, "pictures")?;
-        // One pose: what moves is the environment alone.
+        // The pose is fixed: only the environment moves.
         let mut calm = self.shown.player("neutral", &[], 2.0 * SETTLED_SECS)?;
         picture::set_figure(headless, calm.figure())?;
         let pose = calm.frame(SETTLED_SECS, ASPECT).clone();

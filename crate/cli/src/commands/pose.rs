@@ -100,7 +100,7 @@ impl Pose {
                     });
                 }
                 entry.manipulators = player
-                    .manipulators(time)
+                    .hand_targets(time)
                     .into_iter()
                     .map(|m| ManipulatorEntry {
                         name: m.name,

@@ -1,4 +1,4 @@
-//! What a viewer would notice of faces that tell a story: faults of rest and of movement.
+//! Visible faults of storytelling faces, at rest and in motion.
 
 use std::collections::BTreeMap;
 use std::io::Write as _;

@@ -1,4 +1,4 @@
-//! `raconteur voice`: what a voice does, in figures and as a picture.
+//! `raconteur voice`: measurements of a voice, as figures and as an image.
 
 use std::io::Write as _;
 use std::path::PathBuf;

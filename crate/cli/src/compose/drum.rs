@@ -1,4 +1,4 @@
-//! The drums.
+//! Drums.
 
 use super::note::Note;
 use super::signal::{Filter, Noise, Stereo, add, frequency_hz, sine};
@@ -20,7 +20,7 @@ pub(crate) fn kick(note: &Note, out: &mut Stereo) {
 }
 
 pub(crate) fn tom(note: &Note, out: &mut Stereo) {
-    // The pitch is heard where a degree or note was written: C3 is 48.
+    // The pitch is audible where the score has a degree or note: C3 is 48.
     let hz = if note.pitch > 0.0 {
         frequency_hz(note.pitch)
     } else {
@@ -76,7 +76,7 @@ pub(crate) fn shaker(note: &Note, noise: &mut Noise, out: &mut Stereo) {
     let level = 0.13 * note.velocity;
     let mut tone = Filter::default();
     add(out, note.start_secs, 0.13, |t| {
-        // Beads take a moment to gather.
+        // The beads take some time to gather.
         let gain = level * (t / 0.018).min(1.0) * libm::exp(-26.0 * t) * (1.0 - t / 0.13);
         let sound = gain * tone.band(noise.signed(), 6200.0, 0.8);
         [0.8 * sound, 1.2 * sound]

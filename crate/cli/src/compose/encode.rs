@@ -1,4 +1,4 @@
-//! Writes music as WAV, Ogg Opus or MP3.
+//! Writers of music as WAV, Ogg Opus or MP3.
 
 use std::fs;
 use std::path::Path;
@@ -26,7 +26,7 @@ pub(crate) fn encode(sound: &Stereo, path: &Path) -> Result<()> {
     match &*ending {
         "wav" => {}
         "opus" => {
-            // A fixed serial number and no comment: the same sound gives the same file.
+            // A fixed serial number without comments makes the file reproducible.
             let mut command = OPUSENC.command();
             command
                 .args(["--quiet", "--bitrate", OPUS_RATE, "--vbr", "--music"])
@@ -60,7 +60,7 @@ fn write_wave(path: &Path, sound: &Stereo) -> Result<()> {
         sample_format: hound::SampleFormat::Int,
     };
     let mut writer = hound::WavWriter::create(path, spec).context("writing the sound")?;
-    // Noise of a bit's height keeps quiet endings from rattling.
+    // Dither of one bit prevents distortion in quiet endings.
     let mut dither = Noise::new(0, 0, 0);
     for (left, right) in sound[0].iter().zip(&sound[1]) {
         for sample in [left, right] {

@@ -1,4 +1,4 @@
-//! The instruments: each turns one note into sound.
+//! Instruments: each converts one note to audio samples.
 //!
 //! All are made from a few textbook parts: sawtooths without aliasing, plucked strings after
 //! Karplus and Strong (1983, doi:10.2307/3680062), frequency modulation after Chowning (1973),
@@ -128,7 +128,7 @@ fn ensemble(note: &Note, noise: &mut Noise, out: &mut Stereo, how: &Ensemble) {
         .map(|i| {
             let side = 2.0 * i as f64 / (how.voices - 1) as f64 - 1.0;
             let step = pitch_hz * (1.0 + how.detune * side) / RATE_HZ;
-            // Voices alternate between the channels, so that neighbours in pitch part.
+            // Voices alternate between the channels, so that adjacent pitches are separated.
             let pan = if i % 2 == 0 { side } else { -side };
             (noise.unit(), step, pan)
         })

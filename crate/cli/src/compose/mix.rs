@@ -1,4 +1,4 @@
-//! From parts to the finished piece: tracks, echo, room, loudness and limiter.
+//! Mixing of parts to the finished piece: tracks, echo, reverberation, loudness and limiter.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -14,7 +14,7 @@ const CEILING_DB: f64 = -1.5;
 pub(crate) fn mix(score: &Score, parts: &[Part]) -> Stereo {
     let length = score.length_secs() + score.tail;
     let count = (length * RATE_HZ).round() as usize;
-    // What rings beyond the end of a piece that repeats is heard at its beginning.
+    // In a repeating piece, the tail beyond the end continues at the start.
     let ring = if score.tail == 0.0 {
         (4.0 * RATE_HZ) as usize
     } else {
@@ -69,7 +69,7 @@ pub(crate) fn mix(score: &Score, parts: &[Part]) -> Stereo {
         }
         dry[c].truncate(count);
     }
-    // Limiting takes a little loudness away, so it is set twice.
+    // Limiting reduces the loudness slightly, so it is set twice.
     for _ in 0..2 {
         let louder = gain(score.loudness - lufs(&dry));
         dry.iter_mut().flatten().for_each(|x| *x *= louder);
@@ -127,7 +127,7 @@ fn reverberate(sent: &Stereo) -> Stereo {
     let loss = DELAYS.map(|d| libm::pow(0.001, d as f64 / RATE_HZ / RING_SECS));
     let mut dull = [Filter::default(); 8];
     let mut out = [vec![0.0; sent[0].len()], vec![0.0; sent[1].len()]];
-    // The first reflection comes after 18 ms.
+    // The first reflection arrives after 18 ms.
     let early = (0.018 * RATE_HZ) as usize;
     for i in early..sent[0].len() {
         let mut heard = [0.0; 8];
@@ -156,7 +156,7 @@ fn limit(sound: &mut Stereo) {
         .map(|i| ceiling / sound[0][i].abs().max(sound[1][i].abs()).max(ceiling))
         .collect();
     let back = libm::exp(-1.0 / (0.12 * RATE_HZ));
-    // The least that is wanted soon, held while it is near, released slowly.
+    // The smallest upcoming gain, held while it is near, released slowly.
     let mut now: f64 = 1.0;
     let mut least = std::collections::VecDeque::new();
     let held: Vec<f64> = (0..count + ahead)
@@ -178,7 +178,7 @@ fn limit(sound: &mut Stereo) {
             now
         })
         .collect();
-    // Their mean over the time ahead reaches a peak's value exactly when it comes.
+    // The mean over the look-ahead reaches a peak's value exactly at its time.
     let mut sum: f64 = held[..ahead].iter().sum();
     for i in 0..count {
         sum += held[i + ahead];

@@ -1,8 +1,9 @@
-//! A small synthesiser: scores written as JSON become music.
+//! Small synthesiser: converts JSON scores to music.
 //!
-//! Does: read a score, play its notes on instruments made of mathematics, mix them in a room
-//! to a given loudness, write the file. The same score gives the same samples everywhere.
-//! Does not: load any recorded sound.
+//! Scope: reading a score, playing its notes on synthetic instruments, mixing them with
+//! reverberation to a given loudness, and writing the file. The same score gives the same samples
+//! everywhere.
+//! Out of scope: recorded audio.
 
 mod drum;
 mod encode;

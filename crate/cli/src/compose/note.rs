@@ -1,4 +1,4 @@
-//! A note.
+//! Notes.
 
 /// One note at its time.
 #[derive(Clone, Copy, Debug, PartialEq)]

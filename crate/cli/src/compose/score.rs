@@ -1,5 +1,5 @@
-//! The score format: tracks, patterns of one bar or more, and a form that plays them over
-//! chords. `assets/music/README.md` describes it for composers.
+//! Score format: tracks, patterns of one bar or more, and a form that plays them over chords.
+//! `assets/music/README.md` describes it for composers.
 
 use std::collections::BTreeMap;
 
@@ -205,7 +205,7 @@ impl Score {
                         let (notes_before, held_before) = (part.notes.len(), held.len());
                         at.play(cell, &mut held, &mut part.notes)
                             .with_context(|| format!("pattern {name}, bar {text:?}"))?;
-                        // Cells and notes that are held cost time, too.
+                        // Held cells and notes cost time too.
                         work += 1 + held_before + (part.notes.len() - notes_before);
                         ensure!(
                             work <= MAX_WORK,
@@ -343,7 +343,10 @@ pub fn assert_valid(text: &str) {
         return;
     };
     let end_secs = score.length_secs() + 1e-6;
-    assert!(end_secs.is_finite() && score.sections().iter().all(|(_, at)| *at <= end_secs));
+    assert!(
+        end_secs.is_finite() && score.sections().iter().all(|(_, at)| *at <= end_secs),
+        "the score has a finite end after all its sections"
+    );
     for note in parts.iter().flat_map(|part| &part.notes) {
         assert!(
             note.start_secs >= 0.0 && note.start_secs <= end_secs,
@@ -403,8 +406,8 @@ mod tests {
             .iter()
             .map(|n| (n.start_secs, n.length_secs, n.pitch))
             .collect();
-        // The first, third and fifth tone of A minor from A3 upwards; then C as close above C3
-        // as it lies, held over the bar.
+        // The first, third and fifth tone of A minor from A3 upwards; then the C nearest above C3,
+        // held over the bar.
         let first = [(2.0, 0.5, 57.0), (2.5, 0.5, 64.0), (3.0, 1.0, 72.0)];
         assert_eq!(played[..3], first);
         assert_eq!(
@@ -412,7 +415,10 @@ mod tests {
             [(4.0, 1.5, 48.0), (4.0, 1.5, 52.0), (4.0, 1.5, 55.0)]
         );
         let v = |i: usize| parts[1].notes[i].velocity;
-        assert!((v(0) - gain(-6.0)).abs() < 1e-12 && v(0) < v(1) && v(2) < v(3));
+        assert!(
+            (v(0) - gain(-6.0)).abs() < 1e-12 && v(0) < v(1) && v(2) < v(3),
+            "the written dynamics set the gains"
+        );
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Parts that instruments and the mix are made of.
+//! Building blocks of instruments and the mix.
 
 use std::f64::consts::{PI, TAU};
 
@@ -149,9 +149,15 @@ mod tests {
         let values: Vec<f64> = (0..10_000).map(|_| a.signed()).collect();
         let mean = values.iter().sum::<f64>() / 1e4;
         // Three standard errors of an even spread.
-        assert!(mean.abs() < 3.0 * (1.0_f64 / 3.0 / 1e4).sqrt());
+        assert!(
+            mean.abs() < 3.0 * (1.0_f64 / 3.0 / 1e4).sqrt(),
+            "the mean of the noise is near 0"
+        );
         let mut b = Noise::new(1, 2, 3);
-        assert!(values.iter().all(|v| *v == b.signed()));
+        assert!(
+            values.iter().all(|v| *v == b.signed()),
+            "the same seed gives the same noise"
+        );
         assert_ne!(values[0], Noise::new(1, 2, 4).signed());
     }
 }

@@ -1,8 +1,8 @@
-//! Cuts a stream of bytes into fragments of EML.
+//! Splitter of a byte stream into EML fragments.
 //!
-//! A fragment ends with the line in which its elements are all closed, or at an empty line,
-//! so that a mind may send one line or pretty-printed clauses, and whatever was malformed is
-//! over at the next empty line.
+//! A fragment ends with the line in which all its elements are closed, or at an empty line. A mind
+//! may therefore send one line or pretty-printed clauses, and malformed input ends at the next
+//! empty line.
 
 /// Cuts a stream; one for each connection. Memory is bounded by the limit.
 pub(crate) struct Framer {
@@ -127,7 +127,7 @@ impl Framer {
                     State::Until(end, seen + 1)
                 }
             }
-            // `--->` and `]]]>` end, too: what repeats the first byte keeps the count.
+            // `--->` and `]]]>` also end the section: a repeated first byte keeps the count.
             (State::Until(end, seen), _) if seen == end.len() - 1 && byte == end[0] => {
                 State::Until(end, seen)
             }
@@ -155,7 +155,10 @@ pub fn assert_valid(bytes: &[u8]) {
     }
     for fragment in &whole {
         // A byte that is not UTF-8 becomes three.
-        assert!(!fragment.trim().is_empty() && fragment.len() <= 3 * (LIMIT + 1));
+        assert!(
+            !fragment.trim().is_empty() && fragment.len() <= 3 * (LIMIT + 1),
+            "the fragment is not empty and within its limit"
+        );
     }
 }
 

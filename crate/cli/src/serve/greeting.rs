@@ -1,8 +1,8 @@
-//! What a mind by TCP says first: `raconteur 1 TOKEN`, a line.
+//! First line of a TCP mind: `raconteur 1 TOKEN`.
 //!
-//! Any web page can make a browser send bytes to any port of this machine, the body of a form
-//! for one, and cannot read what comes back. It cannot make them begin with this line: a
-//! browser's bytes begin with its own, and no page knows the token.
+//! Any web page can make a browser send bytes to any port of this machine, for example the body of
+//! a form, and cannot read the reply. It cannot make them begin with this line: a browser's bytes
+//! begin with its own, and no page knows the token.
 
 /// Start of the line: program and protocol version.
 const OPENING: &str = "raconteur 1 ";
@@ -64,9 +64,15 @@ pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
 pub fn assert_valid(bytes: &[u8]) {
     for n in 0..=bytes.len().min(MAX_GREETING_BYTES) {
         match read(&bytes[..n]) {
-            Greeting::Begun => assert!(n < MAX_GREETING_BYTES),
+            Greeting::Begun => assert!(
+                n < MAX_GREETING_BYTES,
+                "the greeting is within its size limit"
+            ),
             Greeting::Told(token) => {
-                assert!(bytes.starts_with(line(token).as_bytes()));
+                assert!(
+                    bytes.starts_with(line(token).as_bytes()),
+                    "the greeting starts with its line"
+                );
                 return;
             }
             Greeting::Http | Greeting::Other => return,

@@ -1,4 +1,4 @@
-//! Whether somebody is still there.
+//! Detection of lost connections.
 
 use std::time::{Duration, Instant};
 

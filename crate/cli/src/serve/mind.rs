@@ -1,4 +1,4 @@
-//! A connected mind: the messages from it and to it.
+//! Connected mind: incoming and outgoing messages.
 
 use std::io::{self, Write as _};
 use std::sync::Arc;
@@ -175,7 +175,7 @@ impl Mind {
                 self.lost = 0;
             }
         }
-        // That a mind is gone is seen at its inbox.
+        // The inbox detects a disconnected mind.
         if let Err(TrySendError::Full(_)) = lines.try_send(Arc::clone(line)) {
             self.lost += 1;
         }

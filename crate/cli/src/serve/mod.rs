@@ -1,8 +1,8 @@
-//! A performance in real time, open to minds.
+//! Real-time performance, open to minds.
 //!
-//! One thread performs; each connection has a thread of its own that reads fragments and
-//! sends lines. They meet in bounded channels only: a mind that floods is read more slowly,
-//! one that does not listen misses lines, and the performance waits for neither.
+//! One thread performs; each connection has its own thread that reads fragments and sends lines.
+//! They communicate through bounded channels only: a mind that floods is read more slowly, a mind
+//! that does not read misses lines, and the performance blocks on neither.
 
 pub mod framing;
 pub mod greeting;
@@ -208,7 +208,7 @@ impl LiveSession {
                         Ok(Some(fragment)) => self.perform(i, &fragment, now_secs)?,
                         Ok(None) => break,
                         Err(Disconnected) => {
-                            // Who listens at the standard output still does.
+                            // A listener on the standard output may still be present.
                             if mind.is_at_input() {
                                 input_ended = true;
                             } else {

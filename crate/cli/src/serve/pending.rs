@@ -1,10 +1,10 @@
-//! Connections whose greeting is still awaited.
+//! Connections before their greeting.
 //!
-//! Anybody can open a connection and say nothing, or a byte now and then. Such connections
-//! wait here, apart from the minds' places: at most [`MAX_PENDING`] at once, each until
-//! [`super::mind::PATIENCE`] is over. One more turns out the one that has waited longest. So
-//! strangers hold no mind's place, and a client that greets at once is heard at once. Those who are
-//! refused stay until they have read why.
+//! Any client can open a connection and send nothing, or a byte now and then. Such connections wait
+//! here, separate from the minds' slots: at most [`MAX_PENDING`] simultaneously, each until
+//! [`super::mind::PATIENCE`] has passed. A further connection replaces the oldest one. Strangers
+//! therefore occupy no mind's slot, and a client that greets immediately is accepted immediately.
+//! Rejected clients stay until they have read the reason.
 
 use std::collections::VecDeque;
 use std::io::{self, ErrorKind, Read, Write};
@@ -50,7 +50,7 @@ impl PendingConnections {
         if waiting.streams.len() > MAX_PENDING
             && let Some((_, oldest)) = waiting.streams.pop_front()
         {
-            // It may have gone by itself.
+            // The connection may have closed already.
             let _ = oldest.shutdown(Shutdown::Both);
         }
         Ok(PendingGuard {

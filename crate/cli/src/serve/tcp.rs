@@ -39,7 +39,7 @@ pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> io::Result<()
         Err(RejectReason::Silent(error)) => return Err(error),
         Err(RejectReason::Told(why)) => Some(why),
     };
-    // Who is refused takes no place, not even for a moment.
+    // A rejected connection never occupies a slot.
     let place = refusal.is_none().then(|| door.place()).flatten();
     if let Some(why) = refusal.or(place.is_none().then_some(FULL)) {
         wire.write_all(why.as_bytes())?;

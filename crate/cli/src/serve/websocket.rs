@@ -1,4 +1,5 @@
-//! Minds that connect by WebSocket: a fragment a message in, a JSON object a message out.
+//! Minds that connect by WebSocket: one fragment per incoming message, one JSON object per outgoing
+//! message.
 
 use std::net::TcpStream;
 use std::time::Instant;
@@ -40,7 +41,7 @@ pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> Result<(), Er
         }
     };
     let wire = DeadlineStream::new(stream, PATIENCE);
-    // Those who are refused have had their answer.
+    // Rejected clients have received their response.
     let Ok(mut socket) = accept_hdr_with_config(wire, greet, Some(config)) else {
         return Ok(());
     };

@@ -1,4 +1,4 @@
-//! Captions in letters of five by seven dots.
+//! Captions in a font of five by seven dots.
 
 /// Height of a letter, dots.
 pub(super) const HEIGHT: u32 = 7;
@@ -77,7 +77,13 @@ mod tests {
     fn letters_stand_beside_each_other() {
         let mut seen = Vec::new();
         dots("il", |x, y| seen.push((x, y)));
-        assert!(seen.iter().all(|&(_, y)| y < HEIGHT));
-        assert!(seen.contains(&(2, 3)) && seen.contains(&(6, 0)) && seen.contains(&(10, 6)));
+        assert!(
+            seen.iter().all(|&(_, y)| y < HEIGHT),
+            "all pixels are within the height of the caption"
+        );
+        assert!(
+            seen.contains(&(2, 3)) && seen.contains(&(6, 0)) && seen.contains(&(10, 6)),
+            "the letters have the expected pixels"
+        );
     }
 }

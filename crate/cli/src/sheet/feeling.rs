@@ -1,4 +1,4 @@
-//! Tiles of a face that feels or blinks.
+//! Tiles of a face with an emotion or a blink.
 
 use raconteur_actor::Affect;
 use raconteur_actor::articulation::hold_closures;
@@ -29,7 +29,7 @@ impl<'a> Maker<'a> {
         let affect = Affect::named(word).unwrap_or_default();
         let share = potential / PLAIN_POTENTIAL;
         let mut controls = FaceControls::default();
-        let mut mixture = ExpressionWeights::perceived_weights(affect);
+        let mut mixture = ExpressionWeights::from_affect(affect);
         mixture.scale(share);
         mixture.expression().add(&mut controls);
         let signs = EmotionSigns::from_affect(affect).scaled(share);

@@ -1,4 +1,4 @@
-//! The sheet that tiles are laid on.
+//! Canvas of a sheet and its tile layout.
 
 use super::caption;
 
@@ -123,9 +123,15 @@ mod tests {
         let picture = Picture::new(&layout);
         let (width, height) = picture.size();
         assert_eq!(layout.places.len(), 3);
-        assert!(layout.places[2].1 > layout.places[0].1);
+        assert!(
+            layout.places[2].1 > layout.places[0].1,
+            "the third tile is in the next row"
+        );
         for (place, tile) in layout.places.iter().zip([100, 50, 100]) {
-            assert!(place.0 + tile <= width && place.1 + 80 < height);
+            assert!(
+                place.0 + tile <= width && place.1 + 80 < height,
+                "the tile and its caption are within the sheet"
+            );
         }
     }
 

@@ -1,4 +1,4 @@
-//! Poses by name, for sheets and exports.
+//! Named poses for sheets and exports.
 
 use core::f64::consts::PI;
 
@@ -44,7 +44,7 @@ impl PoseName {
             }
             Self::ArmsRaised => {
                 for side in Side::BOTH {
-                    // The girdle takes its part of the rise; 24° is designed, by eye.
+                    // The girdle takes its share of the rise; 24° is designed, by eye.
                     let rise = DQuat::from_rotation_z(side.sign() * PI * 24.0 / 180.0);
                     posture.turn(Bone::on(side, "scapula"), rise);
                     posture.arm(side, [0.36, 0.93, 0.05], [0.20, 0.97, 0.12]);

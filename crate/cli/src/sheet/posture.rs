@@ -1,4 +1,4 @@
-//! Poses for a contact sheet, made without a story.
+//! Poses for a contact sheet, without a story.
 
 use raconteur_actor::FaceRig;
 use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, NodeState, Side};

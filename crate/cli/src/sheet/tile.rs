@@ -1,4 +1,4 @@
-//! The tiles of each part of the sheet.
+//! Tiles of each part of the sheet.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -412,6 +412,6 @@ fn contracted(muscles: &[(Muscle, f64)]) -> FaceControls {
 
 pub(super) fn middle_of_head(at: &FigurePoints<'_>) -> DVec3 {
     let eyes = at.between_eyes();
-    // Turned heads keep their ears in the picture: half way back to the neck.
+    // Halfway back to the neck, so that turned heads keep their ears in the frame.
     DVec3::new(0.5 * eyes.x, eyes.y - 0.45 * at.pupils_m(), 0.5 * eyes.z)
 }

@@ -1,4 +1,4 @@
-//! Where a figure is looked at from, by its joints.
+//! Views of a figure, derived from its joints.
 
 use raconteur_base::{DAffine3, DVec3, Side, ops};
 use raconteur_body::{Bone, Drive, Figure};

@@ -1,4 +1,4 @@
-//! The edges of a figure's triangles, drawn without a device; what lies behind is hidden.
+//! Edges of a figure's triangles, rendered without a device; hidden lines are removed.
 
 use raconteur_base::{DVec3, ops};
 use raconteur_body::{Figure, MaterialKind};

@@ -8,14 +8,17 @@ use crate::workshop::{BakeFixture, stderr_of, wave};
 /// Bakes a story that plays a recording; fails if that succeeds, and returns the message.
 fn refused(workshop: &BakeFixture, clause: &str) -> String {
     workshop.write_story(clause);
-    // Both spoken texts and those that are only compared.
+    // Both spoken texts and compared ones.
     for more in [&["--check"][..], &[]] {
         let out = workshop.bake("1.0", more).output().unwrap();
         assert!(!out.status.success(), "{clause}");
     }
     let out = workshop.bake("1.0", &[]).output().unwrap();
     assert!(!out.status.success(), "{clause}");
-    assert!(!workshop.path("story/voice/speech.json").exists());
+    assert!(
+        !workshop.path("story/voice/speech.json").exists(),
+        "nothing is written for a rejected story"
+    );
     let log = fs::read_to_string(workshop.path("log")).unwrap_or_default();
     assert!(!log.contains("secret"), "{log}");
     stderr_of(&out)

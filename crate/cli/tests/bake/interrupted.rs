@@ -1,5 +1,5 @@
-//! Whatever stops a bake, the bundle is the old one or the new one, whole, and the check knows
-//! which.
+//! Interrupted bakes: the bundle is the complete old one or the complete new one, and the check
+//! distinguishes them.
 
 use std::fs;
 use std::process::{Command, Stdio};
@@ -22,7 +22,10 @@ fn a_bake_that_is_stopped_leaves_a_whole_bundle() {
     for step in 0..=STEPS + 1 {
         let signal = ["-INT", "-KILL"][step % 2];
         let workshop = BakeFixture::new();
-        assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+        assert!(
+            workshop.bake("1.0", &[]).status().unwrap().success(),
+            "the bake after the interruption succeeds"
+        );
         assert_eq!(whole(&workshop), "1.0");
         fs::remove_file(workshop.path("log")).unwrap();
         let mut bake = workshop.bake("1.5", &[]);
@@ -32,7 +35,7 @@ fn a_bake_that_is_stopped_leaves_a_whole_bundle() {
         let mut child = bake.spawn().unwrap();
         workshop.until_begun(step, &mut child);
         let number = child.id().to_string();
-        // It may have ended by itself, after the last step.
+        // The process may have ended after the last step.
         let _ = Command::new("kill")
             .args([signal, &number])
             .stderr(Stdio::null())
@@ -40,8 +43,11 @@ fn a_bake_that_is_stopped_leaves_a_whole_bundle() {
         let ended = child.wait().unwrap();
         let pace = whole(&workshop);
         assert!(!ended.success() || pace == "1.5", "step {step}");
-        // The next bake goes on as if nothing had been, and cleans up.
-        assert!(workshop.bake("1.5", &[]).status().unwrap().success());
+        // The next bake succeeds without special treatment and cleans up.
+        assert!(
+            workshop.bake("1.5", &[]).status().unwrap().success(),
+            "the bake with another rate succeeds"
+        );
         assert_eq!(whole(&workshop), "1.5");
         assert_eq!(workshop.names().len(), STEPS + 1, "{:?}", workshop.names());
     }
@@ -55,11 +61,11 @@ fn a_second_bake_is_told_to_wait() {
     let mut child = workshop.bake("1.0", &[]).spawn().unwrap();
     workshop.until_begun(1, &mut child);
     let second = workshop.bake("1.5", &[]).output().unwrap();
-    assert!(!second.status.success());
+    assert!(!second.status.success(), "the second bake fails");
     let told = format!("process {} is baking this story", child.id());
     assert!(stderr_of(&second).contains(&told), "{}", stderr_of(&second));
     fs::remove_file(workshop.path("gate")).unwrap();
-    assert!(child.wait().unwrap().success());
+    assert!(child.wait().unwrap().success(), "the first bake succeeds");
     whole(&workshop);
 }
 
@@ -75,7 +81,10 @@ fn several_bakes_at_once_leave_a_whole_bundle() {
             .into_iter()
             .map(|b| b.wait_with_output().unwrap())
             .collect();
-        assert!(ended.iter().any(|out| out.status.success()));
+        assert!(
+            ended.iter().any(|out| out.status.success()),
+            "at least one of the parallel bakes succeeds"
+        );
         for out in ended.iter().filter(|out| !out.status.success()) {
             assert!(
                 stderr_of(out).contains("is baking this story"),
@@ -91,16 +100,22 @@ fn several_bakes_at_once_leave_a_whole_bundle() {
 #[test]
 fn a_changed_sound_is_found_and_made_anew() {
     let workshop = BakeFixture::new();
-    assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+    assert!(
+        workshop.bake("1.0", &[]).status().unwrap().success(),
+        "the first bake succeeds"
+    );
     let sounds = workshop.names();
-    // What the earlier fault left behind: the sound of another bake under the same name.
+    // The result of the earlier fault: the audio of another bake under the same name.
     let sound = workshop.path("story/voice").join(&sounds[0]);
     let mut bytes = fs::read(&sound).unwrap();
     let last = bytes.len() - 1;
     bytes[last] ^= 1;
     for other in [&bytes[..], &bytes[..last], b""] {
         fs::write(&sound, other).unwrap();
-        assert!(!workshop.is_up_to_date("1.0"));
+        assert!(
+            !workshop.is_up_to_date("1.0"),
+            "the bundle with changed audio is out of date"
+        );
         let out = workshop.command(&["check", "story"]).output().unwrap();
         assert!(
             !out.status.success() && stderr_of(&out).contains("wrong-sound"),
@@ -108,7 +123,10 @@ fn a_changed_sound_is_found_and_made_anew() {
             stderr_of(&out)
         );
         let before = workshop.encoder_starts();
-        assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+        assert!(
+            workshop.bake("1.0", &[]).status().unwrap().success(),
+            "the bake of the changed audio succeeds"
+        );
         assert_eq!(workshop.encoder_starts(), before + 2, "one utterance alone");
         assert_eq!(whole(&workshop), "1.0");
         assert_eq!(workshop.names(), sounds);
@@ -118,7 +136,10 @@ fn a_changed_sound_is_found_and_made_anew() {
 #[test]
 fn an_up_to_date_story_is_not_touched() {
     let workshop = BakeFixture::new();
-    assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+    assert!(
+        workshop.bake("1.0", &[]).status().unwrap().success(),
+        "the first bake succeeds"
+    );
     let voice = workshop.path("story/voice");
     let times = || {
         let mut times: Vec<_> = fs::read_dir(&voice)
@@ -133,12 +154,18 @@ fn an_up_to_date_story_is_not_touched() {
         times
     };
     let before = times();
-    assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+    assert!(
+        workshop.bake("1.0", &[]).status().unwrap().success(),
+        "the bake of an up-to-date story succeeds"
+    );
     assert_eq!(times(), before);
     // A story that falls silent loses its bundle.
     workshop.write_story("<null time='1'/>");
-    assert!(workshop.bake("1.0", &[]).status().unwrap().success());
-    assert!(!voice.exists());
+    assert!(
+        workshop.bake("1.0", &[]).status().unwrap().success(),
+        "the bake without utterances succeeds"
+    );
+    assert!(!voice.exists(), "the unused voice folder is removed");
 }
 
 #[test]

@@ -1,8 +1,8 @@
-//! `raconteur bake` as a program: stopped at any moment, run twice at once, without the programs
-//! that it needs, and with stories that try to read files outside their folder.
+//! Tests of `raconteur bake` as a program: stopped at any time, run twice simultaneously, without
+//! its required programs, and with stories that try to read files outside their folder.
 //!
-//! No speech engine and no encoder is needed: the speech is recorded, and scripts
-//! stand for `opusenc` and `ffmpeg`.
+//! The tests need neither a speech engine nor an encoder: the speech is recorded, and scripts
+//! replace `opusenc` and `ffmpeg`.
 #![cfg(unix)]
 
 mod hostile;

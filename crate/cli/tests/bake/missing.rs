@@ -1,4 +1,4 @@
-//! What a machine lacks.
+//! Missing programs on a machine.
 
 use std::os::unix::fs::symlink;
 use std::path::PathBuf;
@@ -27,7 +27,7 @@ fn all_missing_programs_are_named_in_one_line() {
         let mut bake = workshop.command(&arguments);
         let out = bake.env("PATH", &nothing).output().unwrap();
         let told = stderr_of(&out);
-        assert!(!out.status.success());
+        assert!(!out.status.success(), "the bake without programs fails");
         let list = format!("this needs {}, which", named.join(", "));
         assert!(told.contains(&list), "{told}");
         assert!(
@@ -76,7 +76,7 @@ fn installed(name: &str) -> PathBuf {
 #[test]
 fn without_festival_another_installed_engine_speaks() {
     let workshop = BakeFixture::new();
-    // An engine, what the encoders need, and no festival.
+    // An engine and the encoders' programs, without festival.
     let programs = workshop.path("bin");
     for name in ["flite", "cat", "sleep"] {
         symlink(installed(name), programs.join(name)).unwrap();
@@ -99,9 +99,9 @@ fn without_festival_another_installed_engine_speaks() {
     assert!(!engine.starts_with("festival"), "{engine}");
     assert!(told.contains(engine.split(' ').next().unwrap()), "{told}");
     assert_eq!(bundle["utterances"].as_array().unwrap().len(), UTTERANCES);
-    // One that somebody chose is not replaced.
+    // An explicitly selected engine is not replaced.
     let out = bake(&["--engine", "festival", "--pace", "1.5"]);
-    assert!(!out.status.success());
+    assert!(!out.status.success(), "the bake without an engine fails");
     assert!(
         stderr_of(&out).contains("this needs festival"),
         "{}",
@@ -117,7 +117,7 @@ fn voices_can_be_listed_without_any_engine() {
         let mut list = workshop.command(&arguments);
         let out = list.env("PATH", workshop.path("nothing")).output().unwrap();
         assert!(out.status.success(), "{}", stderr_of(&out));
-        assert!(out.stdout.starts_with(b"["));
+        assert!(out.stdout.starts_with(b"["), "stdout is a JSON array");
         if !more.is_empty() {
             assert_eq!(out.stdout, b"[]\n");
             assert!(
@@ -147,7 +147,7 @@ fn shipped_stories_are_up_to_date_without_engines() {
     let mut found = Vec::new();
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/stories");
     stories(&folder, &mut found);
-    assert!(found.len() >= 6);
+    assert!(found.len() >= 6, "at least 6 shipped stories are checked");
     for story in found {
         for check in [&["--check"][..], &[]] {
             let mut bake = workshop.command(&[&["bake"][..], check].concat());

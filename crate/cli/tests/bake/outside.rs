@@ -1,5 +1,5 @@
-//! Whatever a story's folder and texts name, nothing outside that folder and the library is
-//! opened: told by the file layer's own log.
+//! Containment: nothing outside a story's folder and the library is opened, whatever its folder and
+//! texts name; the file layer's own log is the evidence.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -204,7 +204,7 @@ fn no_folder_of_a_story_is_taken_for_the_library() {
             "outside"
         };
         symlink(workshop.path(target), workshop.path("story").join(link)).unwrap();
-        // Nor is one beside it.
+        // The same holds for an adjacent folder.
         symlink("outside", workshop.path("assets")).unwrap();
         write_story(&workshop, "", &clause);
         assert_contained(&workshop, &format!("{link}: {clause}"));
@@ -227,7 +227,10 @@ fn no_folder_of_a_story_is_taken_for_the_library() {
             "{link}: {}",
             stderr_of(&out)
         );
-        assert!(!workshop.path("outside/voice/speech.json").exists());
+        assert!(
+            !workshop.path("outside/voice/speech.json").exists(),
+            "nothing is written outside the library"
+        );
         assert_eq!(
             fs::read(workshop.path("outside/speech.json")).unwrap(),
             b"{\"secret\": 1}"
@@ -239,7 +242,10 @@ fn no_folder_of_a_story_is_taken_for_the_library() {
 fn sounds_of_a_bundle_stay_in_it() {
     let workshop = BakeFixture::new();
     secrets(&workshop);
-    assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+    assert!(
+        workshop.bake("1.0", &[]).status().unwrap().success(),
+        "the bake of the linked bundle succeeds"
+    );
     let speech = workshop.path("story/voice/speech.json");
     let text = fs::read_to_string(&speech).unwrap();
     let sound = workshop

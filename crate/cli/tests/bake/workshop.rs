@@ -1,4 +1,4 @@
-//! A story with recordings, and programs that play the encoders.
+//! A story with recordings, and programs that replace the encoders.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
@@ -48,7 +48,7 @@ pub(crate) fn wave(path: &Path, level: i16) {
         sample_format: hound::SampleFormat::Int,
     };
     let mut writer = hound::WavWriter::create(path, spec).unwrap();
-    // Of its own pitch: loudness is evened out.
+    // Each recording has its own pitch, because loudness is normalised.
     let period = level % 97 + 20;
     (0..4_000).for_each(|i| writer.write_sample(level * (i % period)).unwrap());
     writer.finalize().unwrap();
@@ -94,7 +94,7 @@ impl BakeFixture {
     pub(crate) fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_raconteur"));
         let path = format!("{}:/usr/bin:/bin", self.path("bin").display());
-        // Whether this machine has the natural voice makes no difference.
+        // The test does not depend on an installed natural voice.
         command
             .args(["--assets", "library"])
             .args(arguments)

@@ -49,7 +49,7 @@ fn the_recorded_session_is_what_happens() {
     let mut now = String::new();
     let mut written = 0;
     for count in 0..=told.len() {
-        // What a session says that ends here has come before the next line.
+        // The output of a session that ends here arrives before the next line.
         let lines = run(&told[..count]);
         for line in &lines[written..] {
             let _ = writeln!(now, "{line}");
@@ -72,7 +72,10 @@ fn a_mind_by_tcp_is_told_what_it_causes() {
     let server = Server::start(&[story, "--tcp", "0", "--speed", "4"], 1);
     let mut mind = server.mind();
     let hello = mind.next().expect("a greeting");
-    assert!(is(&hello, "hello") && hello["marks"]["t2"].is_number());
+    assert!(
+        is(&hello, "hello") && hello["marks"]["t2"].is_number(),
+        "the first line is the greeting with its marks"
+    );
     // Pretty-printed over lines, then garbage, then another.
     mind.send("<seq time='0'>\n  <event type='door'>&lt;open&gt;</event>\n</seq>\n");
     let accepted = mind.until(|l| is(l, "accepted"));
@@ -106,24 +109,36 @@ fn minds_share_one_storyteller() {
     let server = Server::start(&["--port", "0", "--tcp", "0", "--speed", "4"], 2);
     let mut first = websocket(&format!("ws://{}/", server.addresses[0]), None).expect("let in");
     let mut second = server.mind();
-    assert!(is(&receive(&mut first), "hello"));
-    assert!(second.next().is_some_and(|l| is(&l, "hello")));
+    assert!(
+        is(&receive(&mut first), "hello"),
+        "the first mind is greeted"
+    );
+    assert!(
+        second.next().is_some_and(|l| is(&l, "hello")),
+        "the second mind is greeted"
+    );
     first
         .send(Message::text(
             "<event time='0.5' timeId='mine'>from one</event>",
         ))
         .expect("sent");
-    assert!(is(&receive(&mut first), "accepted"));
+    assert!(
+        is(&receive(&mut first), "accepted"),
+        "the first mind's fragment is accepted"
+    );
     let told = second.until(|l| is(l, "storyevent"));
     assert_eq!(told["payload"], "from one");
     // And may use its names.
     second.send("<event time='mine+1'>from two</event>\n");
-    assert!(is(
-        &second.until(|l| is(l, "accepted") || is(l, "failed")),
-        "accepted"
-    ));
+    assert!(
+        is(
+            &second.until(|l| is(l, "accepted") || is(l, "failed")),
+            "accepted"
+        ),
+        "the second mind's fragment is accepted"
+    );
     let told = std::iter::repeat_with(|| receive(&mut first)).find(|l| l["payload"] == "from two");
-    assert!(told.is_some());
+    assert!(told.is_some(), "the second mind's events are received");
     // Too long for a fragment is refused, too long for a message ends the connection.
     let long = |n: usize| {
         Message::text(format!(
@@ -147,7 +162,7 @@ fn a_flood_slows_the_mind_that_sends_it() {
     wild.stream
         .set_write_timeout(Some(Duration::from_millis(200)))
         .expect("a timeout");
-    // It sends until nothing more is taken.
+    // The client sends until the server accepts nothing more.
     let flood = "<null time='0'/>\n".repeat(1000);
     let mut sent = 0;
     let since = Instant::now();
@@ -159,15 +174,18 @@ fn a_flood_slows_the_mind_that_sends_it() {
         }
         assert!(sent < 500_000_000, "it is read without end");
     }
-    // Meanwhile another is heard, and heard soon.
-    assert!(calm.next().is_some());
+    // Another mind still receives a prompt answer.
+    assert!(calm.next().is_some(), "the calm mind receives its answer");
     calm.send("<eml name='calm'><body><event time='0'>hello</event></body></eml>\n");
     let answer = calm.until(|l| is(l, "accepted"));
     assert_eq!(answer["name"], "calm");
     calm.until(|l| l["payload"] == "hello");
-    // Nothing was refused: the flood waits in the connection.
+    // Nothing is rejected: the flood waits in the connection.
     for _ in 0..50 {
-        assert!(!is(&wild.next().expect("a line"), "failed"));
+        assert!(
+            !is(&wild.next().expect("a line"), "failed"),
+            "the flooding mind is slowed and not rejected"
+        );
     }
 }
 
@@ -202,8 +220,14 @@ fn a_token_keeps_strangers_out() {
         websocket(&url, Some(("authorization", "Bearer wrong!"))).err(),
         Some(403)
     );
-    assert!(websocket(&format!("{url}?x=1&token=s3cret"), None).is_ok());
-    assert!(websocket(&url, Some(("authorization", "Bearer s3cret"))).is_ok());
+    assert!(
+        websocket(&format!("{url}?x=1&token=s3cret"), None).is_ok(),
+        "a token in the query is accepted"
+    );
+    assert!(
+        websocket(&url, Some(("authorization", "Bearer s3cret"))).is_ok(),
+        "a token in the header is accepted"
+    );
     assert_eq!(server.greeting, "raconteur 1 s3cret\n");
     for wrong in [
         "s3cret\n",
@@ -215,7 +239,10 @@ fn a_token_keeps_strangers_out() {
         stranger.send(wrong);
         let told = stranger.next().map(|l| l["code"].clone());
         assert_eq!(told, Some("serve::token".into()), "{wrong:?}");
-        assert!(stranger.next().is_none());
+        assert!(
+            stranger.next().is_none(),
+            "a connection without a token is closed"
+        );
     }
     let mut friend = server.mind();
     friend.send("<event time='0'>in</event>\n");
@@ -226,7 +253,7 @@ fn a_token_keeps_strangers_out() {
 fn what_a_page_makes_a_browser_send_is_not_performed() {
     let server = Server::start(&["--tcp", "0"], 1);
     assert_ne!(server.greeting, Server::start(&["--tcp", "0"], 1).greeting);
-    // A form's body is of the page's choice, and may hold lines that look like a greeting.
+    // The page controls a form's body, which may contain lines that look like a greeting.
     let body = "raconteur 1 x\n<event time='0'>from a page</event>\n";
     for method in ["POST", "GET", "OPTIONS", "PUT"] {
         let mut page = Tcp::connect(&server.addresses[0]);
@@ -261,12 +288,15 @@ fn dripping_strangers_keep_nobody_out() {
     for round in 0..4 {
         for (i, stranger) in strangers.iter_mut().enumerate() {
             let greeting: &[u8] = [b"GET /", b"racon"][i % 2];
-            // Those that were turned out do not take it.
+            // Removed connections do not accept the bytes.
             let _ = stranger.write_all(&greeting[round..=round]);
         }
         strangers.extend(server.addresses.iter().map(connect));
         let mut socket = websocket(&url, None).expect("let in");
-        assert!(is(&receive(&mut socket), "hello"));
+        assert!(
+            is(&receive(&mut socket), "hello"),
+            "the mind with the token is greeted"
+        );
         let mut mind = server.mind();
         mind.send("<event time='0'>heard</event>\n");
         mind.until(|l| l["payload"] == "heard");
@@ -291,7 +321,7 @@ fn a_websocket_is_told_why_it_is_closed() {
         .expect("sent");
     assert_eq!(closing(&mut long), Some(1009));
     drop(long);
-    // No places left, whichever way they came.
+    // No slots are left for either protocol.
     let mut minds = Vec::new();
     for _ in 0..40 {
         let mut mind = server.mind();
@@ -305,12 +335,15 @@ fn a_websocket_is_told_why_it_is_closed() {
     assert_eq!(minds.len(), 32);
     let mut late = websocket(&url, None).expect("let in");
     assert_eq!(closing(&mut late), Some(1013));
-    // One who leaves makes room.
+    // A disconnected mind frees its slot.
     drop(minds.pop());
     let again = std::iter::repeat_with(|| websocket(&url, None).expect("let in"));
     let mut again = again.map(|mut socket| socket.read());
     let is_hello = |m: &Message| m.to_text().is_ok_and(|t| t.contains("hello"));
-    assert!(again.any(|m| m.is_ok_and(|m| is_hello(&m))));
+    assert!(
+        again.any(|m| m.is_ok_and(|m| is_hello(&m))),
+        "the second connection is greeted"
+    );
 }
 
 #[test]
@@ -328,7 +361,10 @@ fn who_answers_pings_stays() {
     }
     let told = silent.until(|l| is(l, "failed"));
     assert_eq!(told["code"], "serve::idle");
-    assert!(silent.next().is_none());
+    assert!(
+        silent.next().is_none(),
+        "a connection without a pong is closed"
+    );
     awake.send("<event time='0'>awake</event>\n");
     awake.until(|l| l["payload"] == "awake");
 }
@@ -340,7 +376,10 @@ fn pages_of_other_hosts_are_not_let_in_without_a_token() {
     let from = |origin| websocket(&url, Some(("origin", origin)));
     assert_eq!(from("https://evil.example").err(), Some(403));
     assert_eq!(from("null").err(), Some(403));
-    assert!(from("http://localhost:4173").is_ok());
+    assert!(
+        from("http://localhost:4173").is_ok(),
+        "a page of localhost is accepted"
+    );
 }
 
 #[test]
@@ -354,7 +393,10 @@ fn the_standard_input_alone_ends_with_what_it_sent() {
         .expect("sent");
     drop(input);
     let out = child.wait_with_output().expect("it ends");
-    assert!(out.status.success());
+    assert!(
+        out.status.success(),
+        "the server ends with its standard input"
+    );
     let out = String::from_utf8(out.stdout).expect("UTF-8");
     let ends = out
         .lines()

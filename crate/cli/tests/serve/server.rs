@@ -1,4 +1,4 @@
-//! A server that runs for a test, and minds that talk to it.
+//! A running server for a test, and minds that connect to it.
 
 use std::io::{BufRead as _, BufReader, ErrorKind, Write as _};
 use std::net::TcpStream;
@@ -58,7 +58,7 @@ impl Server {
             let at = at.trim_start_matches("ws://").trim_end_matches('/');
             addresses.push(at.to_owned());
         }
-        // What else it says must find a reader.
+        // A reader must consume the rest of the output.
         std::thread::spawn(move || lines.count());
         Self {
             child,

@@ -1,4 +1,4 @@
-//! Extensions: questions of a lesson, what follows from their answers, and ways through a story.
+//! Extensions: questions of a lesson, the effects of their answers, and branches of a story.
 
 use crate::record::{record, words};
 

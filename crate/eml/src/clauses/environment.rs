@@ -1,5 +1,5 @@
-//! Extensions: the performer, emotions, and how camera, light and music tell it
-//! (GEVH 3.5.4 describes them without a syntax).
+//! Extensions: the performer, emotions, and their expression by camera, light and music (GEVH 3.5.4
+//! describes them without a syntax).
 
 use crate::record::{record, words};
 use raconteur_base::Side;

@@ -1,4 +1,4 @@
-//! How the figure is drawn, for those who look at its making (GEVH D.3.4).
+//! Display of the figure's construction (GEVH D.3.4).
 
 use crate::record::{record, words};
 

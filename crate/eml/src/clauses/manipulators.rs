@@ -1,5 +1,5 @@
-//! Limb manipulators (GEVH 3.3, D.3.19 to D.3.26). Positions are in skeleton units: x to
-//! the speaker's left, y up, z to the back; angles in degrees.
+//! Limb manipulators (GEVH 3.3, D.3.19 to D.3.26). Positions are in skeleton units: x to the
+//! speaker's left, y up, z to the back; angles in degrees.
 
 use super::functions::FunctionArgs;
 use crate::record::{Record, Visit, record, words};

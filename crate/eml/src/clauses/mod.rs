@@ -1,4 +1,4 @@
-//! The content of clauses, by idea.
+//! Content of clauses by topic.
 
 pub(crate) mod asking;
 pub(crate) mod environment;

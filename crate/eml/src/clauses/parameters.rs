@@ -1,5 +1,5 @@
-//! Control parameters: values by name that shape the face and the body (GEVH 3.2.4,
-//! D.3.27 to D.3.30).
+//! Control parameters: named values that shape the face and the body (GEVH 3.2.4, D.3.27 to
+//! D.3.30).
 
 use crate::record::{record, words};
 

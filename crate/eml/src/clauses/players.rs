@@ -1,4 +1,4 @@
-//! Animation players and what they play (GEVH 3.2, D.3.5, D.3.6, D.3.11 to D.3.18).
+//! Animation players and their animations (GEVH 3.2, D.3.5, D.3.6, D.3.11 to D.3.18).
 
 use super::sets::Member;
 use crate::record::{record, words};

@@ -1,4 +1,4 @@
-//! Named sets of tracks, and what clauses refer to by name (GEVH D.3.3, D.3.7 to D.3.13).
+//! Named sets of tracks, and named references of clauses (GEVH D.3.3, D.3.7 to D.3.13).
 
 use crate::Span;
 use crate::record::{Child, Record, Visit, words};
@@ -197,7 +197,7 @@ pub fn items_of<'s>(sets: &'s [Set], name: &str) -> Vec<&'s str> {
     let mut items = Vec::new();
     let mut seen = vec![false; sets.len()];
     let find = |name: &str| sets.iter().position(|s| s.name == name);
-    // Each entry is a set and the place of its next member.
+    // Each entry is a set and the index of its next member.
     let mut stack: Vec<(usize, usize)> = find(name).map(|set| (set, 0)).into_iter().collect();
     while let Some((set, next)) = stack.last_mut() {
         seen[*set] = true;

@@ -1,5 +1,5 @@
-//! Markup of speech: SABLE's containers and empty elements (GEVH D.4), and the clauses
-//! that speak without it.
+//! Speech markup: SABLE's containers and empty elements (GEVH D.4), and the clauses that speak
+//! without it.
 
 use crate::Span;
 use crate::record::{Field, Record, Value, Visit, record, words};

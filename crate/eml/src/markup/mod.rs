@@ -1,5 +1,5 @@
-//! The markup of a document as data: a flat tree of elements and text, and what references in it
-//! stand for. What elements mean is not known here.
+//! Markup of a document as data: a flat tree of elements and text, with resolved references. The
+//! meaning of elements is unknown here.
 
 mod references;
 mod tree;

@@ -1,5 +1,5 @@
-//! Character and entity references. Only those of XML itself exist: there is no DTD,
-//! so nothing can be declared and nothing is fetched.
+//! Character and entity references. Only those of XML itself exist: without a DTD, nothing can be
+//! declared and nothing is fetched.
 
 use super::tree::Attribute;
 use crate::diagnostic::Sink;

@@ -1,5 +1,5 @@
-//! The flat tree: nodes in document order, each knowing where its subtree ends. What the language
-//! knows of an element, `E`, is nothing to the tree.
+//! Flat tree: nodes in document order, each with the end of its subtree. The tree does not
+//! interpret `E`, the language's knowledge of an element.
 
 use crate::Span;
 

@@ -1,4 +1,4 @@
-//! What hands do while a plain text is told.
+//! Hand gestures for a plain text.
 
 use std::fmt::Write as _;
 
@@ -125,7 +125,7 @@ fn gesture(out: &mut String, time: &str, motion: &Motion) {
         palm: [a, x, y, z],
         path,
     } = motion;
-    // A string takes everything.
+    // Writing to a string cannot fail.
     let _ = write!(
         out,
         "<gesture-key time='{time}' duration='0.5' handedness='{hand}'><hand-shapes><key time='0' \

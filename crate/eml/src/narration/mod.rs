@@ -1,10 +1,10 @@
-//! Plain text as a script: sentences that follow each other, gestures from greetings, capitals and
-//! long words, feelings from emoticons.
+//! Conversion of plain text to a script: consecutive sentences, gestures from greetings, capitals
+//! and long words, emotions from emoticons.
 //!
-//! Does: the script of a text that somebody typed or that stands in a page, that of a clause of a
-//! text which is still coming, and where such a text may be cut.
-//! Does not: know how anything is pronounced; words and sentences are those of
-//! [`raconteur_base::text`], as everywhere.
+//! Scope: the script of a typed or displayed text, that of a clause of a streamed text, and the
+//! split points of such a text.
+//! Out of scope: pronunciation; words and sentences are those of [`raconteur_base::text`], as
+//! everywhere.
 
 mod hands;
 mod sentences;
@@ -85,7 +85,7 @@ fn escaped(text: &str) -> String {
     for c in text.chars() {
         match c {
             '&' | '<' | '>' | '"' | '\'' => {
-                // A string takes everything.
+                // Writing to a string cannot fail.
                 let _ = write!(out, "&#{};", u32::from(c));
             }
             c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
@@ -160,13 +160,19 @@ mod tests {
         assert_eq!(count(&script, "e0+0.35'"), 1, "{script}");
         assert!(script.contains("g0w0"), "{script}");
         assert!(script.contains("handedness='right'"), "{script}");
-        assert!(script.contains("e1+1.2'"));
+        assert!(
+            script.contains("e1+1.2'"),
+            "the second sentence starts 1.2 s after the first"
+        );
     }
 
     #[test]
     fn emoticons_are_felt_and_not_said_each_for_its_sentence() {
         let script = script_of("You came! :) I waited all day. :( Well… So <3");
-        assert!(!script.contains(":)") && !script.contains(":(") && !script.contains("&lt;3"));
+        assert!(
+            !script.contains(":)") && !script.contains(":(") && !script.contains("&lt;3"),
+            "the script contains no emoticons"
+        );
         let felt: Vec<&str> = script
             .split("<r:emotion")
             .skip(1)
@@ -205,7 +211,10 @@ mod tests {
             "<voice-say content=\"x\"/> & \"quotes\" ]]> &amp; \u{202e}abc \u{1} 🙂🙂 ﷽ {long}"
         );
         let script = script_of(&text);
-        assert!(!script.contains("<voice-say") && !script.contains('🙂'));
+        assert!(
+            !script.contains("<voice-say") && !script.contains('🙂'),
+            "the script contains neither markup nor emoji"
+        );
         assert!(script.len() < 40 * 600, "{}", script.len());
     }
 

@@ -1,4 +1,4 @@
-//! The sentences of a plain text, with what is felt in them.
+//! Sentences of a plain text, with their emotions.
 
 use std::ops::ControlFlow;
 

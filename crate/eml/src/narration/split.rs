@@ -1,4 +1,4 @@
-//! Where a text that comes piece by piece may be cut into clauses.
+//! Split points between the clauses of a streamed text.
 
 use crate::emoticon;
 use raconteur_base::text::language::Language;
@@ -95,7 +95,7 @@ impl<'t> ClauseSplitter<'t> {
         self.words.push(Word::parse(token));
         let before = self.words.len().saturating_sub(2);
         if core::mem::take(&mut self.is_open) && ends_after(&self.words, before, self.language) {
-            // What is between stays with the clause that it ends.
+            // Text in between stays with the clause that it ends.
             let end_before = self.text[..start].trim_end().len();
             self.emit(end_before);
             self.words.push(Word::parse(token));
@@ -112,7 +112,7 @@ impl<'t> ClauseSplitter<'t> {
             return;
         };
         let is_dash = word.core.is_empty() && word.raw.chars().all(|c| "-–—".contains(c));
-        // Numbers are read together over such signs: "May 5, 1990".
+        // Numbers continue across such signs: "May 5, 1990".
         let number = |word: &Word<'_>| word.core.ends_with(char::is_numeric);
         let before = self.words.len().checked_sub(2).map(|at| &self.words[at]);
         let after_number = if is_dash {

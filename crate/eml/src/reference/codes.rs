@@ -1,4 +1,4 @@
-//! Every kind of problem that reading and timing a script can report.
+//! Diagnostic codes of reading and timing a script.
 
 /// The codes of diagnostics, by name, each with a description of the problem.
 pub const CODES: &[(&str, &str)] = &[

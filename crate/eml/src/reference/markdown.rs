@@ -1,4 +1,4 @@
-//! The reference page.
+//! Reference page.
 
 use super::{children_of, display_name};
 use crate::schema::{Attribute, Content, ELEMENTS, Element, Kind, Presence};

@@ -1,5 +1,5 @@
-//! The language described: for its reference page, its schema and editors. All of it
-//! comes from the table, so that none can disagree with the parser.
+//! Description of the language for its reference page, its schema and editors. All of it comes from
+//! the table, so that none can disagree with the parser.
 
 mod codes;
 mod json;
@@ -18,7 +18,7 @@ fn children_of(parent: &Element) -> impl Iterator<Item = &'static Element> + Clo
     let name = parent.name;
     let extension = parent.extension;
     ELEMENTS.iter().copied().filter(move |e| {
-        // A name that two namespaces share would need a prefix here; none does.
+        // A name shared by two namespaces would need a prefix here; no such name exists.
         e.parents.contains(&name) && (!extension || e.name != name)
     })
 }

@@ -1,4 +1,4 @@
-//! The language as a RELAX NG schema: what is written as on the reference page.
+//! The language as a RELAX NG schema: the same content as the reference page.
 
 use super::children_of;
 use crate::schema::{Attribute, Content, ELEMENTS, Element, Kind, Presence};

@@ -1,4 +1,4 @@
-//! Words of emotion beyond the table's, each with its place on the disc of activation and
+//! Words of emotion beyond the table's, each with its position on the disc of activation and
 //! evaluation (F&H 4.4.1 and figure 4.10).
 
 use crate::suggest::quoted;

@@ -1,4 +1,4 @@
-//! `animation-style`: how an animation plays.
+//! `animation-style`: the playback of an animation.
 
 use super::{Attribute, Element};
 use crate::PlaybackStyle;

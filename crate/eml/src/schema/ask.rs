@@ -257,10 +257,13 @@ mod tests {
             "{:?}",
             told.hints
         );
-        // None of the names is cut, or missing.
+        // No name is cut or missing.
         let words = told.hints.join(", ");
         let listed = |bone: &&str| words.split([',', ' ']).any(|word| word == *bone);
-        assert!(crate::clauses::sets::BONES.iter().all(listed));
+        assert!(
+            crate::clauses::sets::BONES.iter().all(listed),
+            "every bone is listed"
+        );
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! `beat`: how tense the story is.
+//! `beat`: the tension of the story.
 
 use super::{Attribute, Element};
 use crate::ClauseKind;

@@ -1,4 +1,4 @@
-//! `body-configure-deterministic-animation`: how animations follow each other.
+//! `body-configure-deterministic-animation`: the order and transitions of animations.
 
 use super::{Attribute, Element};
 use crate::ClauseKind;

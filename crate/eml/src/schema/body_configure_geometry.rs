@@ -1,4 +1,4 @@
-//! `body-configure-geometry`: switches parts of the drawing.
+//! `body-configure-geometry`: switches parts of the rendering.
 
 use super::{Attribute, Element};
 use crate::{ClauseKind, FillMode, VisibleMeshes};

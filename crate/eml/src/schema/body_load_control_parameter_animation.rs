@@ -36,7 +36,10 @@ mod tests {
         let ClauseKind::LoadControlParameterAnimation(load) = kind else {
             panic!("{kind:?}")
         };
-        assert!(load.is_resources_relative);
+        assert!(
+            load.is_resources_relative,
+            "the path is relative to the resources by default"
+        );
         assert_eq!(load.file, "a/b.xml");
     }
     #[test]

@@ -1,4 +1,4 @@
-//! `body-non-deterministic-frame-interpolation`: to a target on a straight way.
+//! `body-non-deterministic-frame-interpolation`: to a target on a straight path.
 
 use super::common::{MANIPULATOR, ORIENTATION, POSITION};
 use super::{Attribute, Element};

@@ -33,7 +33,7 @@ mod tests {
         let ClauseKind::ManipulatorLock(lock) = kind else {
             panic!("{kind:?}")
         };
-        assert!(lock.is_lock);
+        assert!(lock.is_lock, "the clause is a lock");
     }
     #[test]
     fn it_says_whether() {

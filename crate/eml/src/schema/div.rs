@@ -46,7 +46,13 @@ mod tests {
             panic!()
         };
         let sentence = Some(DivKind::Sentence);
-        assert!(matches!(text.pieces[0], TextSegment::DivStart { kind, .. } if kind == sentence));
-        assert!(matches!(text.pieces[2], TextSegment::DivEnd));
+        assert!(
+            matches!(text.pieces[0], TextSegment::DivStart { kind, .. } if kind == sentence),
+            "the sentence division starts the text"
+        );
+        assert!(
+            matches!(text.pieces[2], TextSegment::DivEnd),
+            "the division ends after its text"
+        );
     }
 }

@@ -10,7 +10,10 @@ const EMPTY: u8 = u8::MAX;
 static TABLE: [u8; SLOTS] = build();
 
 const fn build() -> [u8; SLOTS] {
-    assert!(ELEMENTS.len() * 2 < SLOTS && ELEMENTS.len() < EMPTY as usize);
+    assert!(
+        ELEMENTS.len() * 2 < SLOTS && ELEMENTS.len() < EMPTY as usize,
+        "the table has enough slots for its elements"
+    );
     let mut table = [EMPTY; SLOTS];
     let mut i = 0;
     while i < ELEMENTS.len() {

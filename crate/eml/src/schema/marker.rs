@@ -38,7 +38,10 @@ mod tests {
         let ClauseKind::VoiceText(voice) = &parsed.document.clauses[0].kind else {
             panic!()
         };
-        assert!(matches!(&voice.pieces[1], TextSegment::Marker { mark, .. } if mark == "m"));
+        assert!(
+            matches!(&voice.pieces[1], TextSegment::Marker { mark, .. } if mark == "m"),
+            "the marker is inside the word"
+        );
         assert_eq!(voice.plain_text(), "ab");
     }
 }

@@ -442,13 +442,19 @@ mod tests {
 
     #[test]
     fn the_table_is_sorted_and_its_references_exist() {
-        assert!(ELEMENTS.is_sorted_by_key(|e| e.name));
+        assert!(
+            ELEMENTS.is_sorted_by_key(|e| e.name),
+            "the elements are sorted by name"
+        );
         let exists = |name: &str| ELEMENTS.iter().any(|e| e.name == name);
         for element in ELEMENTS {
             for parent in element.parents {
                 assert!(exists(parent), "{} in {parent}", element.name);
             }
-            assert!(element.required_children.len() <= context::MAX_REQUIRED);
+            assert!(
+                element.required_children.len() <= context::MAX_REQUIRED,
+                "the required children are within the limit"
+            );
             for child in element.required_children {
                 assert!(exists(child), "{} needs {child}", element.name);
             }
@@ -474,12 +480,21 @@ mod tests {
     fn names_are_found_in_any_case_and_by_parent() {
         assert_eq!(find("gesture-key").map(|e| e.name), Some("gesture-key"));
         assert_eq!(find("Gesture-Key").map(|e| e.name), Some("gesture-key"));
-        assert!(find("gesture").is_none());
+        assert!(
+            find("gesture").is_none(),
+            "an unknown parent-dependent name is not found"
+        );
         let key = find("key").unwrap();
         for (parent, attribute) in [("hand-shapes", "id"), ("palms", "a"), ("motion", "x")] {
             let key = variant_in(key, parent).unwrap();
-            assert!(key.attributes.iter().any(|a| a.name == attribute));
+            assert!(
+                key.attributes.iter().any(|a| a.name == attribute),
+                "the key has the attribute"
+            );
         }
-        assert!(variant_in(key, "body").is_none());
+        assert!(
+            variant_in(key, "body").is_none(),
+            "the variant does not exist in another parent"
+        );
     }
 }

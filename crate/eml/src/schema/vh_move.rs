@@ -32,7 +32,7 @@ mod tests {
         let ClauseKind::VhMove(function) = kind else {
             panic!("{kind:?}")
         };
-        assert!(function.is_looping);
+        assert!(function.is_looping, "the function repeats");
         assert_eq!(function.args.map(|a| a.period_secs()), Some(2.5));
     }
     #[test]

@@ -59,7 +59,10 @@ mod tests {
         let ClauseKind::VoiceSay(say) = kind else {
             panic!("{kind:?}")
         };
-        assert!(!say.is_waited_for() && say.spoken_text().unwrap().pieces.is_empty());
+        assert!(
+            !say.is_waited_for() && say.spoken_text().unwrap().pieces.is_empty(),
+            "the clause does not block and has no text"
+        );
     }
     #[test]
     fn text_takes_its_time() {

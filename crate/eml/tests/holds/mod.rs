@@ -45,15 +45,27 @@ fn assert_invariants(source: &[u8], parsed: &Parsed) {
                 span.start <= span.end && span.end as usize <= text.len() + 1,
                 "{span:?}"
             );
-            assert!(lines.position(span.start).line >= 1);
+            assert!(
+                lines.position(span.start).line >= 1,
+                "the line number is at least 1"
+            );
         }
     }
     let timeline = &resolved.timeline;
-    assert!(timeline.clauses.is_sorted_by_key(|c| c.start_secs));
-    assert!(timeline.lead_in_secs >= 0.0);
+    assert!(
+        timeline.clauses.is_sorted_by_key(|c| c.start_secs),
+        "the clauses are sorted by start time"
+    );
+    assert!(timeline.lead_in_secs >= 0.0, "the lead-in is not negative");
     for clause in &timeline.clauses {
-        assert!(clause.start_secs >= 0.0 && clause.end_secs >= clause.start_secs);
-        assert!(clause.end_secs <= timeline.duration_secs && clause.end_secs.is_finite());
+        assert!(
+            clause.start_secs >= 0.0 && clause.end_secs >= clause.start_secs,
+            "the clause ends after its start"
+        );
+        assert!(
+            clause.end_secs <= timeline.duration_secs && clause.end_secs.is_finite(),
+            "the clause ends within the timeline"
+        );
         if let Some(container) = clause.container {
             let group = parsed
                 .document
@@ -62,7 +74,8 @@ fn assert_invariants(source: &[u8], parsed: &Parsed) {
                 group
                     .kind
                     .group()
-                    .is_some_and(|g| g.children.contains(&clause.clause))
+                    .is_some_and(|g| g.children.contains(&clause.clause)),
+                "the group contains the clause"
             );
         }
     }

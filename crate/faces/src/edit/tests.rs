@@ -5,7 +5,7 @@ use raconteur_base::{noise, ops};
 use super::*;
 use crate::age_model::AgeModel;
 use crate::attribute::Attribute;
-use crate::pack::{Follower, LookNumber, TextureModel};
+use crate::pack::{DependentNumbers, LookNumber, TextureModel};
 use crate::sample::labelled;
 use crate::segment::{Half, Segment, Segments};
 
@@ -111,8 +111,8 @@ pub(crate) fn editor() -> Editor {
     };
     Editor::new(FaceModel {
         reference: Vec::new(),
-        cage: Follower::default(),
-        organs: Follower::learn(&shape, &examples, &organs),
+        cage: DependentNumbers::default(),
+        organs: DependentNumbers::learn(&shape, &examples, &organs),
         triangles: triangles.collect(),
         segments: Segments::new(segments, VERTICES).expect("a hierarchy"),
         attributes: learned(&shape, &shapes),
@@ -169,7 +169,10 @@ fn an_attribute_changes_alone_on_every_face() {
         }
     }
     let none = editor.change_alone(Part::Shape, "moustache", &[]);
-    assert!(none.expect_err("none").to_string().contains("moustache"));
+    assert!(
+        none.expect_err("none").to_string().contains("moustache"),
+        "the error names the missing attribute"
+    );
 }
 
 #[test]
@@ -183,9 +186,18 @@ fn a_segment_changes_and_the_far_rest_does_not() {
     let rows =
         |rows: core::ops::Range<usize>| rows.flat_map(|r| (0..SIDE).map(move |c| r * SIDE + c));
     // In the middle it is the other's; 10 rows beyond the border, which blends, nothing.
-    assert!(farthest(&face.shape, &other.shape, rows(30..32)) < 2e-4);
-    assert!(farthest(&face.shape, &before.shape, rows(0..12)) < 0.05e-3);
-    assert!(farthest(&face.shape, &before.shape, rows(50..60)) < 0.05e-3);
+    assert!(
+        farthest(&face.shape, &other.shape, rows(30..32)) < 2e-4,
+        "the edited segment is near the other face"
+    );
+    assert!(
+        farthest(&face.shape, &before.shape, rows(0..12)) < 0.05e-3,
+        "the first distant part is unchanged"
+    );
+    assert!(
+        farthest(&face.shape, &before.shape, rows(50..60)) < 0.05e-3,
+        "the second distant part is unchanged"
+    );
     assert_eq!(face.texture, before.texture);
     // The eyes are beside it: their centres hardly go along, the chin less.
     let go = |i: usize| (face.organs[i] - before.organs[i]) / (other.organs[i] - before.organs[i]);
@@ -216,7 +228,10 @@ fn halves_are_apart_and_a_move_is_one() {
         way_m: [0.0; 3],
     };
     editor.transform(&mut turned, &round, &Region::whole_head());
-    assert!(farthest(&turned.shape, &before.shape, 0..VERTICES) < 1e-12);
+    assert!(
+        farthest(&turned.shape, &before.shape, 0..VERTICES) < 1e-12,
+        "the move turned back restores the shape"
+    );
 }
 
 #[test]
@@ -227,14 +242,23 @@ fn caricature_and_detail_are_of_one_part() {
     editor.caricature(&mut face, Part::Shape, 1.5, &Region::whole_head());
     let [own, more] = [&before, &face].map(|f| editor.coefficients(f, Part::Shape).expect("ours"));
     for (a, b) in own.iter().zip(&more) {
-        assert!((b - 1.5 * a).abs() < 1e-9);
+        assert!(
+            (b - 1.5 * a).abs() < 1e-9,
+            "the caricature scales the difference by 1.5"
+        );
     }
     assert_eq!(face.texture, before.texture);
     let mut sharp = before.clone();
     editor.add_detail(&mut sharp, &before, Part::Texture, USUAL_DETAIL);
-    assert!(sharp.shape == before.shape && sharp.texture != before.texture);
+    assert!(
+        sharp.shape == before.shape && sharp.texture != before.texture,
+        "detail changes the texture and not the shape"
+    );
     editor.add_detail(&mut sharp, &before, Part::Texture, -USUAL_DETAIL);
-    assert!(farthest(&sharp.texture, &before.texture, 0..VERTICES) < 1e-12);
+    assert!(
+        farthest(&sharp.texture, &before.texture, 0..VERTICES) < 1e-12,
+        "the detail of zero leaves the texture unchanged"
+    );
 }
 
 #[test]
@@ -259,7 +283,10 @@ fn constraints_hold_in_segments_through_random_edits() {
         editor.constrain(&mut face, &all).expect("they agree");
         for constraint in &all {
             let value = editor.value(&face, Part::Shape, &constraint.name);
-            assert!((value.expect("an attribute") - constraint.value).abs() < 1e-9);
+            assert!(
+                (value.expect("an attribute") - constraint.value).abs() < 1e-9,
+                "the constraint holds after each edit"
+            );
         }
     }
     let against = [all[0].clone(), held("attribute 0", 0.9, &nose)];
@@ -308,7 +335,10 @@ fn a_figure_s_own_texture_changes_nothing_of_it() {
     let texture = editor.model().texture.as_ref().expect("textures");
     let own = texture.space.face(&texture.figures[0].1);
     let factors = texture.factors(&own, "sofia").expect("known");
-    assert!(factors.skin.iter().all(|f| (f - 1.0).abs() < 1e-12));
+    assert!(
+        factors.skin.iter().all(|f| (f - 1.0).abs() < 1e-12),
+        "the own texture has factors of 1"
+    );
     assert_eq!(factors.skin.len(), 3 * VERTICES);
     assert_eq!(texture.factors(&own, "nobody"), None);
 }
@@ -334,5 +364,8 @@ fn what_there_is_not_is_named() {
             .expect_err("none")
             .to_string(),
     ];
-    assert!(told[0].contains("no face 99") && told[1].contains("beak") && told[2].contains("glow"));
+    assert!(
+        told[0].contains("no face 99") && told[1].contains("beak") && told[2].contains("glow"),
+        "the errors name the missing face, segment and attribute"
+    );
 }

@@ -4,7 +4,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    FaceModel, Follower, LookNumber, MAX_BYTES, MAX_MODES, NamedAttribute, PersonRecord,
+    DependentNumbers, FaceModel, LookNumber, MAX_BYTES, MAX_MODES, NamedAttribute, PersonRecord,
     TextureModel,
 };
 use crate::age_model::AgeModel;
@@ -285,7 +285,7 @@ impl StoredSpace {
 }
 
 impl StoredFollower {
-    fn from_follower(follower: &Follower) -> Self {
+    fn from_follower(follower: &DependentNumbers) -> Self {
         let effects = follower.effects.iter().map(Vec::as_slice);
         let (steps, effects) = stepped(effects.zip(core::iter::repeat(0.0)));
         Self {
@@ -296,10 +296,10 @@ impl StoredFollower {
     }
 
     /// Reads a follower with `count` coefficients, or an empty one if it has no numbers.
-    fn read(self, count: usize) -> Option<Follower> {
+    fn read(self, count: usize) -> Option<DependentNumbers> {
         let effects = unstepped(&self.steps, &self.effects, self.mean.len())?;
         let fits = effects.len() == count || self.mean.is_empty();
-        fits.then_some(Follower {
+        fits.then_some(DependentNumbers {
             effects,
             mean: finite(&self.mean)?,
         })

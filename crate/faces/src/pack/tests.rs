@@ -20,8 +20,8 @@ fn model() -> FaceModel {
     FaceModel {
         reference: Vec::new(),
         life: AgeModel::default(),
-        cage: Follower::learn(&shape, &own, &values),
-        organs: Follower::default(),
+        cage: DependentNumbers::learn(&shape, &own, &values),
+        organs: DependentNumbers::default(),
         people: Vec::new(),
         landmarks: Vec::new(),
         texture: None,
@@ -64,7 +64,10 @@ fn a_pack_holds_its_model_to_a_small_part_of_a_deviation() {
         assert!((a - b).abs() < 0.01, "{a} {b}");
     }
     let [a, b] = [&model, &again].map(|m| m.cage.evaluate(face));
-    assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 0.01));
+    assert!(
+        a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 0.01),
+        "the pack restores the coefficients"
+    );
     assert_eq!(again.attributes[0].terms[1], "wide");
     assert_eq!(
         (&again.triangles, &again.segments),
@@ -84,7 +87,10 @@ fn a_pack_holds_its_model_to_a_small_part_of_a_deviation() {
         for j in 0..=i {
             let pairs = again.shape.mode(i).iter().zip(again.shape.mode(j));
             let product: f64 = pairs.map(|(a, b)| a * b).sum();
-            assert!((product - f64::from(u8::from(i == j))).abs() < 1e-12);
+            assert!(
+                (product - f64::from(u8::from(i == j))).abs() < 1e-12,
+                "the packed modes are orthonormal"
+            );
         }
     }
 }
@@ -95,9 +101,12 @@ fn what_follows_a_shape_is_told_from_it() {
     let shape = FaceSpace::learn(&faces).expect("corresponding");
     let own = labelled(&shape, &faces, 0).0;
     let values: Vec<Vec<f64>> = faces.iter().map(|f| vec![f[3] * 2.0 + 0.5]).collect();
-    let follower = Follower::learn(&shape, &own, &values);
+    let follower = DependentNumbers::learn(&shape, &own, &values);
     for (face, value) in own.iter().zip(&values) {
-        assert!((follower.evaluate(face)[0] - value[0]).abs() < 1e-9);
+        assert!(
+            (follower.evaluate(face)[0] - value[0]).abs() < 1e-9,
+            "the follower predicts the value of the face"
+        );
     }
 }
 

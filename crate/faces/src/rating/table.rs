@@ -273,7 +273,10 @@ mod tests {
     fn a_form_is_a_table_that_nobody_has_rated() {
         let names = ["friendly", "age as seen"].map(str::to_owned);
         let form = Ratings::form(&[3, 17], &names);
-        assert!(form.ends_with("\t3\tage as seen\t\n\t17\tfriendly\t\n\t17\tage as seen\t\n"));
+        assert!(
+            form.ends_with("\t3\tage as seen\t\n\t17\tfriendly\t\n\t17\tage as seen\t\n"),
+            "the form lists each face and attribute"
+        );
         assert_eq!(Ratings::parse(&form), Ok(Ratings::default()));
         // As a spreadsheet may write it, with the value of one line.
         let filled = form.replace("\t17\tfriendly\t\n", "Ann\t17\tfriendly\t \u{2212}1.5\n");

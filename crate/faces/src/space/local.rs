@@ -183,12 +183,18 @@ mod tests {
                     .zip(more.mode(j))
                     .map(|(a, b)| a * b)
                     .sum();
-                assert!((product - f64::from(u8::from(i == j))).abs() < 1e-9);
+                assert!(
+                    (product - f64::from(u8::from(i == j))).abs() < 1e-9,
+                    "the local modes are orthonormal"
+                );
             }
         }
         // A signal that says nothing new adds nothing.
         let again = more.with_local(&faces, &[small]).expect("corresponding");
         assert_eq!(again.dimensions(), 5);
-        assert!(space.with_local(&faces, &[vec![1.0; 3]]).is_err());
+        assert!(
+            space.with_local(&faces, &[vec![1.0; 3]]).is_err(),
+            "a local mode of the wrong size is rejected"
+        );
     }
 }

@@ -55,7 +55,10 @@ fn the_examples_differences_are_a_basis_of_their_space() {
     let basis: Vec<Vec<f64>> = faces.iter().map(scaled).collect();
     let same = FaceSpace::of_basis(learned.mean().to_vec(), &basis).expect("corresponding");
     assert_eq!(same.dimensions(), learned.dimensions());
-    assert!(distance(same.deviations(), learned.deviations()) < 1e-12);
+    assert!(
+        distance(same.deviations(), learned.deviations()) < 1e-12,
+        "the basis has the deviations of its examples"
+    );
 }
 
 #[test]

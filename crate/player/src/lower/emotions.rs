@@ -281,8 +281,14 @@ mod tests {
             ..emoticon
         };
         assert_eq!(utterance_emotion(&throughout, &timed, Some("joy")), None);
-        assert!(utterance_emotion(&throughout, &timed, Some("fear")).is_some());
-        assert!(utterance_emotion(&throughout, &timed, None).is_some());
+        assert!(
+            utterance_emotion(&throughout, &timed, Some("fear")).is_some(),
+            "an elicited emotion of another word is expressed"
+        );
+        assert!(
+            utterance_emotion(&throughout, &timed, None).is_some(),
+            "an emotion without elicitation is expressed"
+        );
     }
 
     #[test]

@@ -360,9 +360,15 @@ mod tests {
         for (a, b) in l[0].keys.iter().zip(&r[0].keys) {
             let (p, q) = (a.wrist_in_world, b.wrist_in_world);
             assert_eq!(p.map(mirror_vector), q);
-            assert!(p.is_some_and(|p| p.x > 0.0));
+            assert!(
+                p.is_some_and(|p| p.x > 0.0),
+                "the left hand is on the left side"
+            );
             if let (Some(p), Some(q)) = (a.hand_in_world, b.hand_in_world) {
-                assert!(raconteur_base::mirror_rotation(p).angle_between(q) < 1e-9);
+                assert!(
+                    raconteur_base::mirror_rotation(p).angle_between(q) < 1e-9,
+                    "both hands mirror each other"
+                );
             }
         }
     }
@@ -371,7 +377,10 @@ mod tests {
     fn one_hand_leaves_the_other_alone() {
         let body = "<gesture-key time='0' duration='0.2' handedness='right'>
             <hand-shapes><key time='0' id='7'/></hand-shapes></gesture-key>";
-        assert!(strokes_of(body, Side::Left).is_empty());
+        assert!(
+            strokes_of(body, Side::Left).is_empty(),
+            "the other hand has no strokes"
+        );
         let keys = &strokes_of(body, Side::Right)[0].keys;
         assert_eq!(keys[0].shape, HandShape::get(7).map(|s| *s.angles()));
     }

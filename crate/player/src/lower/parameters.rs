@@ -247,6 +247,9 @@ mod tests {
         assert_eq!(told.len(), 2, "{told:?}");
         assert_eq!(told[0].message, "there is no control parameter `Disgast`");
         assert_eq!(told[0].hints, ["did you mean `disgust`?"]);
-        assert!(told[1].hints[0].contains("visemes such as `PP`"));
+        assert!(
+            told[1].hints[0].contains("visemes such as `PP`"),
+            "the hint names the known visemes"
+        );
     }
 }

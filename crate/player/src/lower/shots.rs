@@ -246,7 +246,10 @@ mod tests {
         assert_eq!(at(2.0), still(Shot::Full));
         assert_eq!(at(4.0), still(Shot::Full));
         let halfway = still(Shot::Full).towards(&still(Shot::Close), 0.5);
-        assert!((at(5.0).eye_in_world - halfway.eye_in_world).length() < 1e-9);
+        assert!(
+            (at(5.0).eye_in_world - halfway.eye_in_world).length() < 1e-9,
+            "the camera is halfway in the transition"
+        );
         assert_eq!(at(6.0), still(Shot::Close));
         // No frame of a film moves further than the ease allows: 1.875 times the mean.
         let way = (still(Shot::Full).eye_in_world - still(Shot::Close).eye_in_world).length();
@@ -278,7 +281,10 @@ mod tests {
         );
         let before = views.camera(2.0 - 1e-6, camera_of);
         let after = views.camera(2.0 + 1e-6, camera_of);
-        assert!((before.eye_in_world - after.eye_in_world).length() < 1e-4);
+        assert!(
+            (before.eye_in_world - after.eye_in_world).length() < 1e-4,
+            "the interrupted transition does not jump"
+        );
         assert_eq!(views.camera(9.0, camera_of), still(Shot::Close));
     }
 }

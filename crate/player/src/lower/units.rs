@@ -99,13 +99,19 @@ mod tests {
             * DMat3::from_rotation_z(roll);
         for v in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.3, -0.2, 0.9]] {
             let turned = Units::axis((eml * DVec3::from_array(v)).to_array());
-            assert!(turned.distance(engine * Units::axis(v)) < 1e-12);
+            assert!(
+                turned.distance(engine * Units::axis(v)) < 1e-12,
+                "the axis turns as in the mirrored frame"
+            );
         }
         // A small turn by an angular velocity agrees with the angles.
         let small = 1e-6_f64;
         let by_yaw = DMat3::from_rotation_y(Units::angles([small, 0.0, 0.0])[0]) * DVec3::Z;
         let by_rate = Units::angular([0.0, small, 0.0]).cross(DVec3::Z);
-        assert!((by_yaw - DVec3::Z).distance(by_rate) < 1e-12);
+        assert!(
+            (by_yaw - DVec3::Z).distance(by_rate) < 1e-12,
+            "the turn by yaw equals the turn by rate"
+        );
     }
 
     #[test]
@@ -117,7 +123,10 @@ mod tests {
         // GEVH 3.6.1: the greeting hand is above the head and within reach of the arm.
         let hand = units.speaker_point([-7.0, 45.0, 3.0]);
         let shoulder = Bone::RShoulder.example_position_m();
-        assert!((hand - shoulder).length() < 22.86 * 0.0254);
-        assert!(hand.z < shoulder.z);
+        assert!(
+            (hand - shoulder).length() < 22.86 * 0.0254,
+            "the hand is within the length of the arm"
+        );
+        assert!(hand.z < shoulder.z, "the hand is behind the shoulder");
     }
 }

@@ -132,10 +132,16 @@ mod tests {
         let said = &cues[0].timed.utterance;
         let emphasized: Vec<bool> = said.words.iter().map(|w| w.emphasized).collect();
         assert_eq!(emphasized, [false, true, false]);
-        assert!(cues[0].estimated && said.audio.is_empty() && said.f0.is_empty());
+        assert!(
+            cues[0].estimated && said.audio.is_empty() && said.f0.is_empty(),
+            "the utterance without a bake is estimated and silent"
+        );
         assert_eq!(said.phones[0].start_secs, 0.0);
         let last = said.phones.last().expect("phones");
-        assert!((last.end_secs - said.duration_secs).abs() < 1e-9);
+        assert!(
+            (last.end_secs - said.duration_secs).abs() < 1e-9,
+            "the last word ends with the utterance"
+        );
     }
 
     /// Returns the phone symbols of an utterance, word by word.
@@ -178,14 +184,23 @@ mod tests {
         let said = &cues[0].timed.utterance;
         let mut now = 0.0;
         for phone in &said.phones {
-            assert!((phone.start_secs - now).abs() < 1e-9 && phone.end_secs > phone.start_secs);
+            assert!(
+                (phone.start_secs - now).abs() < 1e-9 && phone.end_secs > phone.start_secs,
+                "each phone starts where the last one ends"
+            );
             now = phone.end_secs;
             let Some(word) = phone.word.map(|word| &said.words[word]) else {
                 continue;
             };
-            assert!(phone.start_secs >= word.start_secs && phone.end_secs <= word.end_secs);
+            assert!(
+                phone.start_secs >= word.start_secs && phone.end_secs <= word.end_secs,
+                "each phone is within its word"
+            );
         }
-        assert!((now - said.duration_secs).abs() < 1e-9);
+        assert!(
+            (now - said.duration_secs).abs() < 1e-9,
+            "the last phone ends with the utterance"
+        );
         let secs = |k: usize| said.phones[k].end_secs - said.phones[k].start_secs;
         assert!((secs(1) - 1.6 * secs(0)).abs() < 1e-9, "a vowel is longer");
     }

@@ -266,7 +266,10 @@ mod tests {
             let hand = Hand::new(&figure, side);
             let capsules: Vec<Capsule> = hand.capsules(&world).collect();
             assert_eq!(capsules.len(), 20);
-            assert!(capsules.iter().all(|c| (0.004..0.02).contains(&c.radius_m)));
+            assert!(
+                capsules.iter().all(|c| (0.004..0.02).contains(&c.radius_m)),
+                "the radii of the fingers are between 4 and 20 mm"
+            );
         }
     }
 }

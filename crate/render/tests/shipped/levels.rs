@@ -75,7 +75,10 @@ fn levels_shrink_and_open_no_seam() {
             let finest = borders(mesh, 0);
             for level in 1..=mesh.coarser.len() {
                 let finer = mesh.triangles_at(level - 1).len();
-                assert!(mesh.triangles_at(level).len() < finer);
+                assert!(
+                    mesh.triangles_at(level).len() < finer,
+                    "the coarser level has fewer triangles"
+                );
                 assert_eq!(borders(mesh, level), finest, "{name}, {}", mesh.name);
             }
         }

@@ -45,7 +45,7 @@ fn wear(kind: AccessoryKind) -> Look {
     }
 }
 
-static LENDERS: LazyLock<Lenders> = LazyLock::new(|| {
+static LENDERS: LazyLock<HairDonors> = LazyLock::new(|| {
     let lender = |(name, glb): (&str, &[u8])| {
         let hair = read_figure(name, glb).expect("hair");
         let lender = HairDonor::new(&hair, VERTICES).expect("our head");
@@ -86,7 +86,10 @@ fn check(mesh: &Mesh, joints: usize) {
     let lists = [mesh.normals.len(), mesh.uvs.len(), mesh.colors.len()];
     assert_eq!(lists, [count; 3], "{}", mesh.name);
     assert_eq!([mesh.joints.len(), mesh.weights.len()], [count; 2]);
-    assert!(mesh.indices.iter().all(|&v| (v as usize) < count));
+    assert!(
+        mesh.indices.iter().all(|&v| (v as usize) < count),
+        "every index refers to a vertex"
+    );
     let is_finite = |p: &[f32; 3]| p.iter().all(|x| x.is_finite());
     assert!(mesh.positions.iter().all(is_finite), "{}", mesh.name);
     let length = |n: &[f32; 3]| wide(*n).length();
@@ -215,7 +218,7 @@ fn hair_is_shaved_and_lent() {
         },
         [1.0; 3],
     );
-    assert!(hair(&bald).is_empty());
+    assert!(hair(&bald).is_empty(), "the bald head has no hair");
     let bearded = |name: &str| {
         let look = Look {
             beard: lent(name),
@@ -242,7 +245,10 @@ fn hair_is_shaved_and_lent() {
     };
     let (own, organs) = (own(&reshaper), organs(&reshaper));
     let made = reshaper.with_look(&face(&own, &[], organs), &stranger, &LENDERS);
-    assert!(made.expect_err("nobody").to_string().contains("nobody"));
+    assert!(
+        made.expect_err("nobody").to_string().contains("nobody"),
+        "the error names the unknown person"
+    );
 }
 
 /// The scalp is on the head and nowhere in the face, and as light as the hair.
@@ -258,10 +264,16 @@ fn coloured_hair_has_a_scalp() {
         };
         reshaper.scalp_paint(figure, &hair, &Hair::default())
     });
-    assert!(dark.corners.len() > 900 && dark.corners.len().is_multiple_of(3));
+    assert!(
+        dark.corners.len() > 900 && dark.corners.len().is_multiple_of(3),
+        "the scalp has more than 900 corners"
+    );
     assert_eq!(dark.corners, light.corners);
-    assert!(5.0 * dark.rgb[0] <= light.rgb[0] && light.rgb[0] <= 1.0);
-    assert!(dark.bare.is_empty());
+    assert!(
+        5.0 * dark.rgb[0] <= light.rgb[0] && light.rgb[0] <= 1.0,
+        "dark hair has a darker scalp than light hair"
+    );
+    assert!(dark.bare.is_empty(), "dark hair leaves no bare scalp");
     assert_eq!(
         reshaper.scalp_paint(figure, &Hair::default(), &Hair::default()),
         ScalpPaint::default()
@@ -286,8 +298,14 @@ fn a_bald_crown_is_skin() {
     let figure = with(&reshaper, &look, [1.0; 3]);
     let [crown, none] = ["balding", "bald"]
         .map(|name| reshaper.scalp_paint(&figure, &lent(name), &Hair::default()));
-    assert!(crown.bare.len() > 300 && crown.corners.len() > 300);
-    assert!(none.bare.len() > crown.bare.len() && none.corners.is_empty());
+    assert!(
+        crown.bare.len() > 300 && crown.corners.len() > 300,
+        "the crown is bare and the sides are not"
+    );
+    assert!(
+        none.bare.len() > crown.bare.len() && none.corners.is_empty(),
+        "the bald head is bare everywhere"
+    );
     let shade = |f: &Figure| {
         let skin = f.meshes[reshaper.head].colors[..VERTICES].iter();
         skin.map(|c| u64::from(c[3])).sum::<u64>()
@@ -296,7 +314,10 @@ fn a_bald_crown_is_skin() {
         hair: lent("bald"),
         ..Look::default()
     };
-    assert!(shade(&with(&reshaper, &bald, [1.0; 3])) > shade(&reshaper.figure));
+    assert!(
+        shade(&with(&reshaper, &bald, [1.0; 3])) > shade(&reshaper.figure),
+        "the bald crown has the colour of the skin"
+    );
 }
 
 /// A new beard removes the painted one of the figure.
@@ -308,8 +329,14 @@ fn a_painted_beard_is_shaved() {
         let own = Hair::default();
         reshaper.scalp_paint(&reshaper.figure, &own, &lent(beard))
     };
-    assert!(paint("none").bare.len() > 300);
-    assert!(paint("own").bare.is_empty());
+    assert!(
+        paint("none").bare.len() > 300,
+        "the shaved beard leaves bare skin"
+    );
+    assert!(
+        paint("own").bare.is_empty(),
+        "the own beard leaves no bare skin"
+    );
 }
 
 /// A moustache grows on the lip of any face, on both halves of it, and none of its roots is inside
@@ -364,8 +391,14 @@ fn spots_lie_where_they_belong() {
         let is_own = spots != reshaper.speckles(figure, kind, 2);
         assert_eq!(is_own, kind != SpeckleKind::Stubble, "{kind:?}");
         for spot in &spots {
-            assert!((0.0..=1.0).contains(&spot.strength));
-            assert!(spot.chart.uv.iter().all(|x| (0.0..=1.0).contains(x)));
+            assert!(
+                (0.0..=1.0).contains(&spot.strength),
+                "the strength of the spot is between 0 and 1"
+            );
+            assert!(
+                spot.chart.uv.iter().all(|x| (0.0..=1.0).contains(x)),
+                "the texture coordinates of the spot are in the atlas"
+            );
         }
     }
 }
@@ -389,7 +422,10 @@ fn irises_are_recoloured() {
             let sum: f64 = eye.colors.iter().map(|c| f64::from(c[i])).sum();
             sum / count / 255.0 * f64::from(eye.material.base_color[i])
         };
-        assert!((mean(2) - 0.35).abs() < 0.02 && (mean(0) - 0.1).abs() < 0.02);
+        assert!(
+            (mean(2) - 0.35).abs() < 0.02 && (mean(0) - 0.1).abs() < 0.02,
+            "the iris has the requested colour"
+        );
     }
 }
 
@@ -408,7 +444,10 @@ fn hair_lies_under_a_cap() {
         assert!(top(own) < top(cloth.expect("cloth")) - 0.002, "{kind:?}");
     }
     let scarf = with(&reshaper, &wear(AccessoryKind::Headscarf), [1.0; 3]);
-    assert!(hair(&scarf).iter().all(|m| m.indices.is_empty()));
+    assert!(
+        hair(&scarf).iter().all(|m| m.indices.is_empty()),
+        "the scarf hides all hair"
+    );
 }
 
 #[test]
@@ -483,7 +522,10 @@ fn a_chart_tells_where_its_neighbours_are() {
     }
     assert!(charts > 300, "{charts}");
     let numbers = |n: &[f64]| SurfacePoint::from_numbers(n);
-    assert!(numbers(&[1.0, 2.0, 3.0, 0.2, 0.3, 0.5]).is_some());
+    assert!(
+        numbers(&[1.0, 2.0, 3.0, 0.2, 0.3, 0.5]).is_some(),
+        "six valid numbers form a chart"
+    );
     for broken in [
         &[1.0; 5][..],
         &[1.5, 2.0, 3.0, 0.2, 0.3, 0.5],

@@ -86,7 +86,10 @@ fn a_written_figure_reads_back() {
     };
     let back_left = read_figure("box", &to_glb(&left)).unwrap();
     assert_eq!(back_left.dominant_hand, Side::Left);
-    assert!((back.skeleton.stature_m() - 1.956).abs() < 1e-6);
+    assert!(
+        (back.skeleton.stature_m() - 1.956).abs() < 1e-6,
+        "the stature of the written figure"
+    );
     for (a, b) in back.skeleton.joints().iter().zip(figure.skeleton.joints()) {
         assert_eq!((&a.name, a.drive, a.parent), (&b.name, b.drive, b.parent));
         assert!(
@@ -96,7 +99,7 @@ fn a_written_figure_reads_back() {
         );
     }
     for (a, b) in back.inverse_bind.iter().zip(&figure.inverse_bind) {
-        assert!(a.abs_diff_eq(*b, 1e-5));
+        assert!(a.abs_diff_eq(*b, 1e-5), "the matrix round trips");
     }
     let (a, b) = (&back.meshes[0], &figure.meshes[0]);
     assert_eq!(
@@ -112,20 +115,32 @@ fn a_written_figure_reads_back() {
             .all(|(x, y)| (x - y).abs() < tolerance)
     };
     // Half a step of 1/32768 m; a step of 8-bit normals.
-    assert!(near(&a.positions, &b.positions, 1.6e-5));
-    assert!(near(
-        &a.morphs[0].position_deltas,
-        &b.morphs[0].position_deltas,
-        1.6e-5
-    ));
-    assert!(near(&a.normals, &b.normals, 0.005));
-    assert!(near(
-        &a.morphs[0].normal_deltas,
-        &b.morphs[0].normal_deltas,
-        0.005
-    ));
+    assert!(
+        near(&a.positions, &b.positions, 1.6e-5),
+        "the positions round trip within the quantisation"
+    );
+    assert!(
+        near(
+            &a.morphs[0].position_deltas,
+            &b.morphs[0].position_deltas,
+            1.6e-5
+        ),
+        "the morph positions round trip within the quantisation"
+    );
+    assert!(
+        near(&a.normals, &b.normals, 0.005),
+        "the normals round trip within the quantisation"
+    );
+    assert!(
+        near(
+            &a.morphs[0].normal_deltas,
+            &b.morphs[0].normal_deltas,
+            0.005
+        ),
+        "the morph normals round trip within the quantisation"
+    );
     for (x, y) in a.weights.iter().flatten().zip(b.weights.iter().flatten()) {
-        assert!((x - y).abs() < 1e-6);
+        assert!((x - y).abs() < 1e-6, "the number round trips");
     }
     assert_eq!(to_glb(&back).len(), bytes.len());
 }
@@ -133,14 +148,23 @@ fn a_written_figure_reads_back() {
 #[test]
 fn damaged_files_are_refused_without_a_panic() {
     let bytes = to_glb(&small());
-    assert!(read_figure("x", b"").is_err());
-    assert!(read_figure("x", &bytes[..100]).is_err());
+    assert!(read_figure("x", b"").is_err(), "an empty file is rejected");
+    assert!(
+        read_figure("x", &bytes[..100]).is_err(),
+        "a truncated header is rejected"
+    );
     let mut huge = bytes.clone();
     huge[8..12].copy_from_slice(&u32::MAX.to_le_bytes());
-    assert!(read_figure("x", &huge).is_err());
+    assert!(
+        read_figure("x", &huge).is_err(),
+        "an excessive length is rejected"
+    );
     let mut short = bytes.clone();
     short[8..12].copy_from_slice(&3u32.to_le_bytes());
-    assert!(read_figure("x", &short).is_err());
+    assert!(
+        read_figure("x", &short).is_err(),
+        "a length that is too short is rejected"
+    );
     // One byte in seven of the JSON, and some of the numbers, damaged: never a panic.
     for i in (12..bytes.len()).step_by(7) {
         for value in [0u8, 0xFF, b'9', b'-'] {
@@ -165,14 +189,20 @@ fn faults_are_named() {
         b[at..at + to.len()].copy_from_slice(to.as_bytes());
         read_figure("x", &b).unwrap_err()
     };
-    assert!(matches!(
-        swap("bone_chin", "bone_nose"),
-        ReadError::NoSkeleton {
-            missing: "bone_chin"
-        }
-    ));
-    assert!(matches!(
-        swap("KHR_mesh_quantization", "KHR_mesh_compression_"),
-        ReadError::Extension(_)
-    ));
+    assert!(
+        matches!(
+            swap("bone_chin", "bone_nose"),
+            ReadError::NoSkeleton {
+                missing: "bone_chin"
+            }
+        ),
+        "the missing chin joint is named"
+    );
+    assert!(
+        matches!(
+            swap("KHR_mesh_quantization", "KHR_mesh_compression_"),
+            ReadError::Extension(_)
+        ),
+        "an unknown extension is rejected"
+    );
 }

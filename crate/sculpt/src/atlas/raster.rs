@@ -175,12 +175,18 @@ mod tests {
         let inside = raster.hits.iter().flatten().filter(|h| h.inside).count();
         assert_eq!(inside, (SIZE / 4) * (SIZE / 4));
         let beside = raster.hits[300 * SIZE + SIZE / 4 - 3].unwrap();
-        assert!(!beside.inside);
+        assert!(!beside.inside, "the texel next to the square is outside");
         let u =
             beside.blend([[0, 1, 2], [0, 2, 3]][beside.triangle as usize].map(|v: usize| uv[v][0]));
-        assert!((u * SIZE as f64 - (SIZE as f64 / 4.0 - 2.5)).abs() < 1e-3);
+        assert!(
+            (u * SIZE as f64 - (SIZE as f64 / 4.0 - 2.5)).abs() < 1e-3,
+            "the margin continues the square"
+        );
         let twice = Raster::new(&uv, &[[0, 1, 2], [0, 2, 3], [0, 1, 2]]);
-        assert!(twice.overlaps > inside / 3);
+        assert!(
+            twice.overlaps > inside / 3,
+            "the second square overlaps the first"
+        );
     }
 
     #[test]
@@ -191,7 +197,10 @@ mod tests {
         fill(&mut picture, 8);
         assert_eq!(picture[9], Some([0.5, 0.25, 1.0]));
         for p in picture {
-            assert!((0.0..=0.75).contains(&p.unwrap()[1]));
+            assert!(
+                (0.0..=0.75).contains(&p.unwrap()[1]),
+                "the filled texel is between its neighbours"
+            );
         }
     }
 }

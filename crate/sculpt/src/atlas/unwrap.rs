@@ -270,7 +270,10 @@ mod tests {
         for f in &faces {
             for i in 0..4 {
                 let [a, b, c] = [i, i + 1, i + 2].map(|k| flat[f[k % 4] as usize]);
-                assert!((b - a).perp_dot(c - a) > 0.0);
+                assert!(
+                    (b - a).perp_dot(c - a) > 0.0,
+                    "the triangle of the harmonic map is not folded"
+                );
             }
         }
     }
@@ -296,7 +299,10 @@ mod tests {
         unfold(&triangles, &mut flat);
         for t in triangles {
             let [a, b, c] = t.map(|v| flat[v as usize]);
-            assert!((b - a).perp_dot(c - a) <= 1e-9);
+            assert!(
+                (b - a).perp_dot(c - a) <= 1e-9,
+                "the fold has no positive area"
+            );
         }
         assert_eq!(flat[at(1, 7) as usize], even[at(1, 7) as usize]);
     }

@@ -40,7 +40,10 @@ fn every_bone_is_closed_and_looks_outwards() {
             faces: part.faces.clone(),
         };
         assert!(solid.volume() > 1e-8, "{} {}", part.name, solid.volume());
-        assert!(part.vertices.iter().all(|v| v.position.is_finite()));
+        assert!(
+            part.vertices.iter().all(|v| v.position.is_finite()),
+            "all vertices of the bone are finite"
+        );
     }
 }
 

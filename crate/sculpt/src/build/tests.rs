@@ -42,13 +42,15 @@ fn every_vertex_is_sound() {
             assert!(
                 mesh.joints[v]
                     .iter()
-                    .all(|&j| usize::from(j) < figure.skeleton.joints().len())
+                    .all(|&j| usize::from(j) < figure.skeleton.joints().len()),
+                "every vertex joint exists"
             );
             assert!(
                 mesh.positions[v]
                     .iter()
                     .chain(&mesh.uvs[v])
-                    .all(|x| x.is_finite())
+                    .all(|x| x.is_finite()),
+                "positions and texture coordinates are finite"
             );
             let length: f32 = mesh.normals[v].iter().map(|x| x * x).sum();
             assert!((length - 1.0).abs() < 1e-3, "{} {v}", mesh.name);
@@ -120,7 +122,10 @@ fn the_file_gives_the_figure_back() {
             assert!((p - q).abs() < 1.7e-5, "{} {p} {q}", a.name);
         }
     }
-    assert!(read_figure("sofia", &bytes[..bytes.len() / 2]).is_err());
+    assert!(
+        read_figure("sofia", &bytes[..bytes.len() / 2]).is_err(),
+        "a truncated figure is rejected"
+    );
 }
 
 #[test]

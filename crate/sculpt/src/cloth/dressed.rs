@@ -4,7 +4,7 @@ use raconteur_base::DVec3;
 use raconteur_body::figure::MaterialKind;
 use raconteur_body::skeleton::Bone;
 
-use super::finish::{Chart, Fabric, Unrolling, cloth_part};
+use super::finish::{Fabric, UnrollAxis, Unrolling, cloth_part};
 use super::wearer::Wearer;
 use crate::part::MeshPart;
 use crate::torso::{CM, Shell};
@@ -58,7 +58,7 @@ pub(super) fn collar_part(part: MeshPart) -> MeshPart {
 }
 
 pub(super) fn trim(wearer: &Wearer<'_>, shell: &Shell, fabric: Fabric) -> MeshPart {
-    let chart = [Chart {
+    let chart = [UnrollAxis {
         origin: DVec3::new(0.0, 1.2, -1.5 * CM),
         axis: DVec3::Y,
         front: DVec3::Z,

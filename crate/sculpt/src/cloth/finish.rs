@@ -10,7 +10,7 @@ use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
 /// A straight axis about which cloth is unrolled.
 #[derive(Clone, Copy, Debug)]
-pub struct Chart {
+pub struct UnrollAxis {
     /// A point of the axis.
     pub origin: DVec3,
     /// Direction along the axis; v grows along it.
@@ -21,7 +21,7 @@ pub struct Chart {
     pub radius: f64,
 }
 
-impl Chart {
+impl UnrollAxis {
     fn angle(&self, p: DVec3) -> f64 {
         let d = p - self.origin;
         ops::atan2(d.dot(self.front.cross(self.axis)), d.dot(self.front))
@@ -115,7 +115,7 @@ impl Fabric {
 #[derive(Clone, Copy)]
 pub struct Unrolling<'a> {
     /// Axes of its parts.
-    pub charts: &'a [Chart],
+    pub charts: &'a [UnrollAxis],
     /// Index of a face's axis.
     pub chart_of: &'a dyn Fn(usize) -> usize,
 }

@@ -52,7 +52,7 @@ impl<'a> LayingSurface<'a> {
     /// Returns the point, moved out along the surface's normal if it lies less than `off` metres
     /// outside.
     #[must_use]
-    pub fn outside(&self, p: DVec3, off: f64) -> DVec3 {
+    pub fn pushed_outside(&self, p: DVec3, off: f64) -> DVec3 {
         let spot = self.nearest_of(|_| true, |q| q.distance_squared(p));
         let d = (p - spot.place).dot(spot.normal);
         // A point far inside has met the other side.

@@ -134,7 +134,7 @@ fn cloth_is_sound() {
                     "{}",
                     part.name
                 );
-                assert!(!v.weights.is_empty());
+                assert!(!v.weights.is_empty(), "the cloth vertex has weights");
             }
         }
     }
@@ -299,7 +299,10 @@ fn sitting_is_borne() {
         let (short, long, turned) = strain(&m.figure, &posed(&m.figure, &turns));
         assert!(long < 3.0 && short > 0.1, "{}: {short} {long}", m.name);
         assert!(turned < 0.02, "{}: {turned} inside out", m.name);
-        assert!(m.joints.position_of(Bone::LHip).y > 0.0);
+        assert!(
+            m.joints.position_of(Bone::LHip).y > 0.0,
+            "the hip of the seated figure is above the floor"
+        );
     }
 }
 

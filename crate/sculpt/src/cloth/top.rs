@@ -8,7 +8,7 @@ use super::band::{Band, BandPath, along_edge};
 use super::cut::{ClothZone, Top, TopCut, mirrored_to};
 use super::drape::{DrapeParams, Draping, drape};
 use super::fade;
-use super::finish::{Chart, Fabric, Unrolling, cloth_part};
+use super::finish::{Fabric, UnrollAxis, Unrolling, cloth_part};
 use super::fold::{Fold, crease};
 use super::gathers::folds;
 use super::seam::{Stitch, sew};
@@ -145,7 +145,7 @@ fn clear(shell: &mut Shell, below: &LayingSurface<'_>, off: f64) {
     let arm = arm_share(shell);
     for (p, arm) in shell.points.iter_mut().zip(arm) {
         if arm < 0.5 && p.y < high {
-            *p = below.outside(*p, off);
+            *p = below.pushed_outside(*p, off);
         }
     }
 }
@@ -282,10 +282,10 @@ impl Top {
         let (mut part, mut shell) = self.band(wearer, &self.hem, &hem, rib);
         let lay = LayingSurface::new(below);
         for v in &mut part.vertices {
-            v.position = lay.outside(v.position, 0.3 * unit);
+            v.position = lay.pushed_outside(v.position, 0.3 * unit);
         }
         for p in &mut shell.points {
-            *p = lay.outside(*p, 0.3 * unit);
+            *p = lay.pushed_outside(*p, 0.3 * unit);
         }
         let mut out = vec![(part, shell)];
         for cuff in &self.cuffs {
@@ -309,15 +309,15 @@ impl Top {
 }
 
 /// Charts of trunk, left sleeve and right sleeve.
-fn charts(wearer: &Wearer<'_>) -> [Chart; 3] {
+fn charts(wearer: &Wearer<'_>) -> [UnrollAxis; 3] {
     let joints = wearer.joints;
-    let sleeve = |side: Side| Chart {
+    let sleeve = |side: Side| UnrollAxis {
         origin: mirrored_to(side, joints.position_of(Bone::LShoulder)),
         axis: -mirrored_to(side, Joints::arm_axis()),
         front: mirrored_to(side, Joints::arm_up()),
         radius: 5.5 * CM * wearer.scale,
     };
-    let trunk = Chart {
+    let trunk = UnrollAxis {
         // Coordinates within ±1 m store small.
         origin: DVec3::new(0.0, 1.2, -1.5 * CM),
         axis: DVec3::Y,

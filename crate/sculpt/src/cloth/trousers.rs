@@ -6,7 +6,7 @@ use raconteur_base::{DVec3, Side};
 use super::band::{Band, BandPath, along_edge};
 use super::drape::{DrapeParams, Draping, drape};
 use super::fade;
-use super::finish::{Chart, Fabric, Unrolling, cloth_part};
+use super::finish::{Fabric, UnrollAxis, Unrolling, cloth_part};
 use super::fold::{Fold, Line, Ring, SeededRandom, crease};
 use super::seam::{Stitch, sew};
 use super::sheet::Sheet;
@@ -114,9 +114,9 @@ fn edge_band<'a>(wearer: &Wearer<'a>, cut: &TrouserCut, is_leg: bool) -> Band<'a
     }
 }
 
-fn charts(wearer: &Wearer<'_>) -> ([Chart; 3], f64) {
+fn charts(wearer: &Wearer<'_>) -> ([UnrollAxis; 3], f64) {
     let hip_x = wearer.joints.position_of(Bone::LHip).x;
-    let chart = |x: f64, radius_cm: f64| Chart {
+    let chart = |x: f64, radius_cm: f64| UnrollAxis {
         origin: DVec3::new(x, 0.5, 0.0),
         axis: DVec3::Y,
         front: DVec3::Z,

@@ -171,9 +171,15 @@ mod tests {
         let f = |p: DVec3| 1.0 + 2.0 * p.x - p.y + 0.5 * p.z;
         let grid = Grid::new(l, |i| f(l.place(l.cell(i))) as f32);
         for p in [DVec3::new(0.1, 0.3, -0.7), DVec3::new(-0.9, 0.99, 0.2)] {
-            assert!((grid.sample(p) - f(p)).abs() < 1e-5);
+            assert!(
+                (grid.sample(p) - f(p)).abs() < 1e-5,
+                "the sample between grid points is linear"
+            );
             let slope = DVec3::new(2.0, -1.0, 0.5).normalize();
-            assert!(grid.slope(DVec3::ZERO).distance(slope) < 1e-4);
+            assert!(
+                grid.slope(DVec3::ZERO).distance(slope) < 1e-4,
+                "the slope at the centre of the grid"
+            );
         }
     }
 
@@ -181,7 +187,10 @@ mod tests {
     fn blurring_keeps_what_is_even_and_the_sum_of_a_point() {
         let l = lattice();
         let even = Grid::new(l, |_| 3.0).blurred(2);
-        assert!(even.values.iter().all(|x| (x - 3.0).abs() < 1e-5));
+        assert!(
+            even.values.iter().all(|x| (x - 3.0).abs() < 1e-5),
+            "blurring keeps a constant field"
+        );
         let mut dot = Grid::new(l, |_| 0.0);
         dot.splat(DVec3::ZERO, 1.0);
         let sum: f32 = dot.blurred(1).values.iter().sum();

@@ -90,14 +90,20 @@ fn every_style_grows() {
                 assert!(v.position.length() < 0.5, "{name} {}", v.position);
                 let sum: f64 = v.weights.iter().map(|w| w.1).sum();
                 assert!((sum - 1.0).abs() < 1e-9, "{name} {sum}");
-                assert!(v.uv.iter().chain(&v.color).all(|c| (0.0..=1.0).contains(c)));
+                assert!(
+                    v.uv.iter().chain(&v.color).all(|c| (0.0..=1.0).contains(c)),
+                    "texture coordinates and colours are between 0 and 1"
+                );
             }
         }
         let scalp: usize = w.cards().map(|p| triangles(&p.part)).sum();
         assert_eq!(scalp == 0, w.style == HairStyle::Bald, "{name} {scalp}");
         assert!(scalp <= 24_000, "{name} {scalp}");
         assert_eq!(w.grown.skin_light.len(), w.head.skin().vertices.len());
-        assert!(w.grown.skin_light.iter().all(|l| (0.0..=1.0).contains(l)));
+        assert!(
+            w.grown.skin_light.iter().all(|l| (0.0..=1.0).contains(l)),
+            "the light of the skin is between 0 and 1"
+        );
     }
 }
 
@@ -217,8 +223,11 @@ fn beards_leave_the_lips_free() {
                 .map(|w| w.1)
                 .sum::<f64>()
         };
-        assert!(beard.part.vertices.iter().any(|v| jaw(v) > 0.95));
-        assert!(!beard.part.morphs.is_empty());
+        assert!(
+            beard.part.vertices.iter().any(|v| jaw(v) > 0.95),
+            "the beard follows the jaw"
+        );
+        assert!(!beard.part.morphs.is_empty(), "the beard has morph targets");
     }
 }
 
@@ -247,9 +256,15 @@ fn recession_moves_the_line_back() {
     };
     let (young, old) = (line(0.0), line(1.0));
     let temple = DVec3::new(0.045, 0.065, 0.06);
-    assert!(old.smooth_distance(temple) < young.smooth_distance(temple) - 0.01);
+    assert!(
+        old.smooth_distance(temple) < young.smooth_distance(temple) - 0.01,
+        "the hairline of the temple recedes"
+    );
     let back = DVec3::new(0.0, 0.0, -0.09);
-    assert!((old.smooth_distance(back) - young.smooth_distance(back)).abs() < 1e-9);
+    assert!(
+        (old.smooth_distance(back) - young.smooth_distance(back)).abs() < 1e-9,
+        "the hairline of the back stays in place"
+    );
 }
 
 #[test]
@@ -263,10 +278,22 @@ fn melanin_darkens_and_grey_lightens() {
         .linear_rgb()
     };
     for i in 0..3 {
-        assert!(tone(0.1, 0.0)[i] > tone(0.4, 0.0)[i]);
-        assert!(tone(0.4, 0.0)[i] > tone(1.5, 0.0)[i]);
-        assert!(tone(0.4, 0.9)[i] > tone(0.4, 0.2)[i]);
-        assert!((0.0..=1.0).contains(&tone(0.0, 0.0)[i]));
+        assert!(
+            tone(0.1, 0.0)[i] > tone(0.4, 0.0)[i],
+            "more melanin darkens light hair"
+        );
+        assert!(
+            tone(0.4, 0.0)[i] > tone(1.5, 0.0)[i],
+            "more melanin darkens brown hair"
+        );
+        assert!(
+            tone(0.4, 0.9)[i] > tone(0.4, 0.2)[i],
+            "grey lightens the hair"
+        );
+        assert!(
+            (0.0..=1.0).contains(&tone(0.0, 0.0)[i]),
+            "the lightest tone is between 0 and 1"
+        );
     }
     // Red hair is redder than brown.
     let red = HairColour {
@@ -276,5 +303,8 @@ fn melanin_darkens_and_grey_lightens() {
     }
     .linear_rgb();
     let brown = tone(0.4, 0.0);
-    assert!(red[0] / red[2] > brown[0] / brown[2]);
+    assert!(
+        red[0] / red[2] > brown[0] / brown[2],
+        "red hair has more red than brown hair"
+    );
 }

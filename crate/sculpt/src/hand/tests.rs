@@ -22,16 +22,26 @@ fn the_skin_is_a_manifold_open_at_the_wrist_only() {
     let edges = edge_faces(&welded(&positions, &hand.skin().faces));
     let open = edges.values().filter(|f| f.len() == 1).count();
     assert_eq!(open, hand.wrist_rim.len());
-    assert!(edges.values().all(|f| f.len() <= 2));
+    assert!(
+        edges.values().all(|f| f.len() <= 2),
+        "no edge has more than two faces"
+    );
     let rim = |i: usize| hand.skin().vertices[hand.wrist_rim[i] as usize].position;
     for i in 0..hand.wrist_rim.len() {
-        assert!((rim(i).x - rim(0).x).abs() < 1e-9);
-        assert!((rim(i) - rim((i + 1) % hand.wrist_rim.len())).length() < 0.01);
+        assert!(
+            (rim(i).x - rim(0).x).abs() < 1e-9,
+            "the wrist rim is planar"
+        );
+        assert!(
+            (rim(i) - rim((i + 1) % hand.wrist_rim.len())).length() < 0.01,
+            "neighbouring points of the rim are close"
+        );
     }
     assert!(
         edge_faces(&hand.parts[1].faces)
             .values()
-            .all(|f| f.len() == 2)
+            .all(|f| f.len() == 2),
+        "the nails are closed"
     );
 }
 
@@ -93,14 +103,20 @@ fn left_and_right_mirror_each_other() {
     let (l, r) = (sofia(Side::Left), sofia(Side::Right));
     for (l, r) in l.parts.iter().zip(&r.parts) {
         for (l, r) in l.vertices.iter().zip(&r.vertices) {
-            assert!((mirror_vector(l.position) - r.position).length() < 1e-12);
+            assert!(
+                (mirror_vector(l.position) - r.position).length() < 1e-12,
+                "the vertices mirror each other"
+            );
             assert_eq!(l.color, r.color);
             assert_eq!(l.weights.len(), r.weights.len());
         }
     }
     for (l, r) in l.joints.iter().zip(&r.joints) {
         assert_eq!(l.0.mirrored(), r.0);
-        assert!((mirror_vector(l.1) - r.1).length() < 1e-12);
+        assert!(
+            (mirror_vector(l.1) - r.1).length() < 1e-12,
+            "the landmarks mirror each other"
+        );
     }
 }
 
@@ -112,8 +128,14 @@ fn weights_sum_to_one_over_at_most_four_joints_of_the_skeleton() {
         .collect();
     for part in sofia(Side::Right).parts {
         for v in &part.vertices {
-            assert!(!v.weights.is_empty() && v.weights.len() <= 4);
-            assert!((v.weights.iter().map(|w| w.1).sum::<f64>() - 1.0).abs() < 1e-9);
+            assert!(
+                !v.weights.is_empty() && v.weights.len() <= 4,
+                "each vertex has one to four weights"
+            );
+            assert!(
+                (v.weights.iter().map(|w| w.1).sum::<f64>() - 1.0).abs() < 1e-9,
+                "the weights of a vertex add up to 1"
+            );
             for (joint, _) in &v.weights {
                 assert!(
                     matches!(joint.0, Drive::Bone(_)) || known.contains(&joint.0),
@@ -148,7 +170,10 @@ fn length_breadth_and_detail_are_as_asked() {
     let breadth =
         z.iter().copied().fold(f64::MIN, f64::max) - z.iter().copied().fold(f64::MAX, f64::min);
     assert!((breadth / params.breadth_m - 1.0).abs() < 0.02, "{breadth}");
-    assert!(skin.vertices.len() >= 1500);
+    assert!(
+        skin.vertices.len() >= 1500,
+        "the skin has at least 1500 vertices"
+    );
     let triangles: usize = hand
         .parts
         .iter()
@@ -242,10 +267,16 @@ fn a_fist_closes_and_a_pinch_meets() {
             Bone::RWrist
         };
         for f in 0..4 {
-            assert!((tip(&fist, f, 0.019) - fist[wrist.index()].translation).length() < 0.085);
+            assert!(
+                (tip(&fist, f, 0.019) - fist[wrist.index()].translation).length() < 0.085,
+                "the fingertips of the fist are near the wrist"
+            );
         }
         let pinch = solved(&skeleton, side, HandShape::ALL[24].angles());
-        assert!((tip(&pinch, 0, 0.019) - tip(&pinch, 4, 0.026)).length() < 0.03);
+        assert!(
+            (tip(&pinch, 0, 0.019) - tip(&pinch, 4, 0.026)).length() < 0.03,
+            "the tips of the pinch meet"
+        );
     }
 }
 
@@ -431,9 +462,18 @@ fn sex_and_age_show() {
         let finger = &anatomy.fingers[2];
         finger.section(finger.along(q)).half_width
     };
-    assert!(width(0.0, 35.0, 1.4) > width(1.0, 35.0, 1.4) * 1.03);
-    assert!(width(0.0, 75.0, 1.0) > width(0.0, 35.0, 1.0) * 1.04);
+    assert!(
+        width(0.0, 35.0, 1.4) > width(1.0, 35.0, 1.4) * 1.03,
+        "the male hand is wider"
+    );
+    assert!(
+        width(0.0, 75.0, 1.0) > width(0.0, 35.0, 1.0) * 1.04,
+        "the old hand is wider"
+    );
     // A child's finger tapers; its joints do not stand out.
     let knot = |age: f64| width(0.5, age, 1.0) / width(0.5, age, 1.4);
-    assert!(knot(9.0) < knot(35.0) && knot(35.0) < knot(75.0));
+    assert!(
+        knot(9.0) < knot(35.0) && knot(35.0) < knot(75.0),
+        "the knuckles grow with age"
+    );
 }

@@ -217,7 +217,7 @@ impl ModelHeadShape {
 
     /// All coordinates one after another, in an order that all heads share; millimetres.
     #[must_use]
-    pub fn numbers(&self) -> Vec<f64> {
+    pub fn flat_coordinates_mm(&self) -> Vec<f64> {
         let bound = keys().into_iter().filter_map(|key| self.places.get(&key));
         bound
             .chain(&self.globes)
@@ -443,7 +443,10 @@ mod tests {
         let (faces, points) = plane();
         let bound = Binding::new(&faces).bind(&points);
         let ends = Side::BOTH.map(|side| bound.places[&(Mark::Cage(TRAGION), side)]);
-        assert!((ends[0] + ends[1]).length() < 1e-9);
+        assert!(
+            (ends[0] + ends[1]).length() < 1e-9,
+            "the ends mirror each other about the origin"
+        );
     }
 
     #[test]
@@ -464,14 +467,20 @@ mod tests {
         let cut = text.lines().count() / 2;
         let half: String = text.lines().take(cut).map(|l| format!("{l}\n")).collect();
         let shipped = crate::people::preset("sofia").unwrap();
-        assert!(shipped.head.bound.to_text().len() > half.len());
+        assert!(
+            shipped.head.bound.to_text().len() > half.len(),
+            "the head of the person is complete"
+        );
         for broken in [
             "",
             "a\nb\nc\n",
             &half,
             &text.replace("grid\t0\t0", "grid\tx\t0"),
         ] {
-            assert!(ModelHeadShape::from_text(broken).is_none());
+            assert!(
+                ModelHeadShape::from_text(broken).is_none(),
+                "a broken head table is rejected"
+            );
         }
     }
 }

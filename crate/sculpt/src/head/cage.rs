@@ -379,7 +379,10 @@ mod tests {
     fn the_cage_is_manifold_and_open_at_the_neck_and_behind_the_lids_only() {
         let cage = Cage::new();
         let edges = edge_faces(&cage.faces);
-        assert!(edges.values().all(|f| f.len() <= 2));
+        assert!(
+            edges.values().all(|f| f.len() <= 2),
+            "no edge of the cage has more than two faces"
+        );
         for (&(a, b), f) in &edges {
             if f.len() == 1 {
                 for v in [a, b] {

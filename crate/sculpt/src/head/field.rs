@@ -229,9 +229,11 @@ mod tests {
     #[test]
     fn every_field_moves_something_and_only_near_its_places() {
         let mean = ModelHeadShape::default();
-        let rest = mean.numbers();
+        let rest = mean.flat_coordinates_mm();
         for field in &FIELDS {
-            let moved = mean.with_fields(&amounts(field.name, 1.0)).numbers();
+            let moved = mean
+                .with_fields(&amounts(field.name, 1.0))
+                .flat_coordinates_mm();
             let step = |i: usize| (moved[i] - rest[i]).abs();
             let most = (0..rest.len()).map(step).fold(0.0, f64::max);
             assert!((0.8..9.0).contains(&most), "{}: {most}", field.name);
@@ -249,9 +251,15 @@ mod tests {
         let mean = ModelHeadShape::default();
         let moved = mean.with_fields(&amounts("smiling", 1.0));
         let [left, right] = Side::BOTH.map(|s| moved.position_of(mouth(1, 6), s).expect("bound"));
-        assert!((left - mirror_vector(right)).length() < 0.05);
+        assert!(
+            (left - mirror_vector(right)).length() < 0.05,
+            "the symmetric field mirrors the head"
+        );
         let crooked = mean.with_fields(&amounts("deranged", 1.0));
         let [left, right] = Side::BOTH.map(|s| crooked.position_of(mouth(1, 6), s).expect("bound"));
-        assert!(left.y - right.y > 4.0);
+        assert!(
+            left.y - right.y > 4.0,
+            "the one-sided field raises one side"
+        );
     }
 }

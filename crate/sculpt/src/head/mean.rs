@@ -83,6 +83,9 @@ mod tests {
         }
         let own = warp(&landmarks(&cage, mean));
         let p = DVec3::new(31.0, 10.0, 80.0);
-        assert!(own(p).distance(p) < 1e-9);
+        assert!(
+            own(p).distance(p) < 1e-9,
+            "the warp maps each mean vertex to itself"
+        );
     }
 }

@@ -237,7 +237,10 @@ mod tests {
             Measure::from_name("nose_breadth"),
             Some(Measure::NoseBreadth)
         );
-        assert!(Measure::all().all(|m| Measure::from_name(m.name()) == Some(m)));
+        assert!(
+            Measure::all().all(|m| Measure::from_name(m.name()) == Some(m)),
+            "the measure names round trip"
+        );
     }
 
     #[test]

@@ -57,7 +57,7 @@ pub use self::fitting::{MeasureGoal, fit_measures, measures};
 pub use self::measure::{KnownMeasure, Measure, known_measures};
 use self::paint::coordinates;
 pub(crate) use self::paint::{Coordinates, MOUTH_DEEP};
-pub use self::registration::{Deviation, Registration, deviations, register};
+pub use self::registration::{Deviation, HeadRegistration, deviations, register};
 pub use self::scalp::{Ear, Proportions, Scalp};
 pub(crate) use self::scalp_binding::{ScalpBinding, VertexWeights};
 pub use self::segment::HeadSegment;

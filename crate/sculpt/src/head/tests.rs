@@ -134,7 +134,10 @@ fn largest_slit(shape: &Shape) -> f64 {
     }
     let [upper, mut lower] = edges;
     lower.sort_by(|a, b| a.0.total_cmp(&b.0));
-    assert!(upper.len() > 20 && lower.len() > 20);
+    assert!(
+        upper.len() > 20 && lower.len() > 20,
+        "both lids have more than 20 vertices"
+    );
     // Within a millimetre of the outer corner the edge turns round: no slit, but its rounding.
     let corner = lower.iter().map(|e| e.0).fold(f64::MIN, f64::max);
     let slits = upper.into_iter().filter(|e| e.0 < corner - 1.0);
@@ -178,7 +181,10 @@ fn lip_gap(name: &str, head: &Head, jaw_rad: f64, morph: &str, weight: f64) -> f
         }
     }
     let [upper, lower] = contact(name, head);
-    assert!(upper.len() > 40 && lower.len() > 40);
+    assert!(
+        upper.len() > 40 && lower.len() > 40,
+        "both lips have more than 40 vertices"
+    );
     let at = |v: &usize| skinned(head, &skin.vertices[*v], moved[*v], jaw_rad, 0.0);
     (-14..=14)
         .map(|i| {
@@ -217,7 +223,10 @@ fn weights_are_positive_and_sum_to_one() {
                 "{}",
                 p.name
             );
-            assert!(v.position.is_finite() && v.color.iter().all(|c| (0.0..=1.0).contains(c)));
+            assert!(
+                v.position.is_finite() && v.color.iter().all(|c| (0.0..=1.0).contains(c)),
+                "position and colour of the vertex are valid"
+            );
         }
     }
 }
@@ -333,9 +342,18 @@ fn one_hundred_landmarks_lie_where_their_names_say() {
     for pair in ["v", "tr", "g", "n", "prn", "sn", "ls", "li", "sl", "gn"].windows(2) {
         assert!(at(pair[0]).y > at(pair[1]).y, "{pair:?}");
     }
-    assert!(at("prn").z > at("n").z && at("n").z > at("ex_l").z && at("op").z < at("t_l").z);
-    assert!(at("eu_l").x > at("zy_l").x && at("zy_l").x > at("ex_l").x);
-    assert!(at("ex_l").x > at("en_l").x && at("en_l").x > 0.0 && at("en_r").x < 0.0);
+    assert!(
+        at("prn").z > at("n").z && at("n").z > at("ex_l").z && at("op").z < at("t_l").z,
+        "the depth order of the landmarks"
+    );
+    assert!(
+        at("eu_l").x > at("zy_l").x && at("zy_l").x > at("ex_l").x,
+        "the landmark of the skull is outside the cheekbone"
+    );
+    assert!(
+        at("ex_l").x > at("en_l").x && at("en_l").x > 0.0 && at("en_r").x < 0.0,
+        "the landmarks of the eyes are on their sides"
+    );
 }
 
 #[test]
@@ -343,14 +361,20 @@ fn segments_cover_the_skin_once() {
     let head = sofia();
     let mut owners = vec![0; head.skin().vertices.len()];
     for (i, s) in head.segments.iter().enumerate() {
-        assert!(s.parent.is_none_or(|p| p < i));
+        assert!(
+            s.parent.is_none_or(|p| p < i),
+            "the parent precedes its segment"
+        );
         for &[first, count] in &s.runs {
             for owner in &mut owners[first as usize..(first + count) as usize] {
                 *owner += 1;
             }
         }
     }
-    assert!(owners.iter().all(|&n| n == 1));
+    assert!(
+        owners.iter().all(|&n| n == 1),
+        "each vertex belongs to one segment"
+    );
     for s in &head.segments {
         let inner = ["face", "eyes", "nose", "mouth", "chin"].contains(&s.name);
         assert_eq!(s.runs.is_empty(), inner, "{}", s.name);

@@ -117,6 +117,9 @@ mod tests {
                 "nose/nose-hump-decr-incr"
             ]
         );
-        assert!(of_heads("{\"nose\": 1}").is_err());
+        assert!(
+            of_heads("{\"nose\": 1}").is_err(),
+            "an invalid pair of heads is rejected"
+        );
     }
 }

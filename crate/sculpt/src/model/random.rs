@@ -82,22 +82,41 @@ mod tests {
             .map(|(s, i)| Traits::random(&details, s, i))
             .collect();
         for p in &people {
-            assert!((AGES[0]..=AGES[1]).contains(&p.age_years));
-            assert!(p.details.len() == 3 && p.details.values().all(|d| d.abs() <= MAX_DETAIL));
+            assert!(
+                (AGES[0]..=AGES[1]).contains(&p.age_years),
+                "the age is in its range"
+            );
+            assert!(
+                p.details.len() == 3 && p.details.values().all(|d| d.abs() <= MAX_DETAIL),
+                "the three details are within their bound"
+            );
             assert_eq!(p.details["eyes/l-b-in-out"], p.details["eyes/r-b-in-out"]);
         }
         let share = |of: fn(&Traits) -> bool| people.iter().filter(|p| of(p)).count();
         // Half of them are women, and a third mainly of each ancestry.
-        assert!((110..190).contains(&share(|p| p.sex > 0.5)));
+        assert!(
+            (110..190).contains(&share(|p| p.sex > 0.5)),
+            "about half of the people are male"
+        );
         let mainly_asian: fn(&Traits) -> bool =
             |p| p.ancestry.asian > p.ancestry.african.max(p.ancestry.european);
-        assert!((70..130).contains(&share(mainly_asian)));
-        assert!((150..250).contains(&share(|p| p.details["nose/a-decr-incr"].abs() < 0.2)));
+        assert!(
+            (70..130).contains(&share(mainly_asian)),
+            "about a third of the people are mainly Asian"
+        );
+        assert!(
+            (150..250).contains(&share(|p| p.details["nose/a-decr-incr"].abs() < 0.2)),
+            "most noses are near the mean"
+        );
         assert!(
             crowd(1)
                 .map(|(s, i)| Traits::random(&details, s, i))
-                .eq(people.iter().cloned())
+                .eq(people.iter().cloned()),
+            "the same seed gives the same people"
         );
-        assert!(Traits::random(&details, 2, 0) != people[0]);
+        assert!(
+            Traits::random(&details, 2, 0) != people[0],
+            "another seed gives another person"
+        );
     }
 }

@@ -58,7 +58,8 @@ fn a_woman_of_thirty_five_is_mostly_young() {
     assert!((old - 0.75 * 10.0 / 65.0).abs() < 1e-12, "{old}");
     assert!(
         !all.keys()
-            .any(|name| name.contains("-male-") || name.contains("baby"))
+            .any(|name| name.contains("-male-") || name.contains("baby")),
+        "no shape of a baby or man takes part"
     );
 }
 

@@ -140,6 +140,9 @@ mod tests {
                 "{name}"
             );
         }
-        assert!(params("wig").is_none());
+        assert!(
+            params("wig").is_none(),
+            "an unknown hair name has no parameters"
+        );
     }
 }

@@ -102,8 +102,11 @@ fn landmarks_that_are_wrong_are_named() {
     swapped.insert("ch_l".to_owned(), landmarks["ex_r"]);
     let refused = rig(&scan, &swapped, &params).unwrap_err().to_string();
     assert!(refused.contains("mm from where"), "{refused}");
-    assert!(matches!(
-        rig(&Scan::default(), &landmarks, &params),
-        Err(RigError::Empty)
-    ));
+    assert!(
+        matches!(
+            rig(&Scan::default(), &landmarks, &params),
+            Err(RigError::Empty)
+        ),
+        "an empty scan is rejected"
+    );
 }

@@ -235,12 +235,21 @@ mod tests {
         marks.spot(DVec3::new(0.0, 9.0, 0.0), 0.7, 1.0);
         let marks = marks.finish();
         let at = |x: f64, y: f64, z: f64| marks.sample(DVec3::new(x, y, z), DVec3::Z).core;
-        assert!(at(10.0, 0.0, 0.0) > 0.5);
+        assert!(
+            at(10.0, 0.0, 0.0) > 0.5,
+            "the mark is visible at its centre"
+        );
         // Height over the surface does not count, the other side of a fold does.
-        assert!((at(10.0, 0.0, 1.0) - at(10.0, 0.0, 0.0)).abs() < 1e-9);
+        assert!(
+            (at(10.0, 0.0, 1.0) - at(10.0, 0.0, 0.0)).abs() < 1e-9,
+            "the mark is the same at any depth"
+        );
         assert_eq!(at(10.0, 0.0, 8.0), 0.0);
         assert_eq!(at(10.0, 3.0, 0.0), 0.0);
-        assert!((at(0.0, 9.0, 0.0) - 0.7).abs() < 1e-9);
+        assert!(
+            (at(0.0, 9.0, 0.0) - 0.7).abs() < 1e-9,
+            "the strength of the second mark"
+        );
         assert_eq!(at(500.0, 0.0, 0.0), 0.0);
         assert_eq!(
             Marks::default().finish().sample(DVec3::ZERO, DVec3::Z).core,

@@ -230,10 +230,19 @@ mod tests {
             let mut last = colour(&skin(0.01, blood));
             for i in 1..20 {
                 let now = colour(&skin(0.01 * ops::pow(1.2, f64::from(i)), blood));
-                assert!((0..3).all(|c| now[c] < last[c]));
-                assert!(now[0] / now[1] > last[0] / last[1]);
+                assert!(
+                    (0..3).all(|c| now[c] < last[c]),
+                    "more melanin darkens every channel"
+                );
+                assert!(
+                    now[0] / now[1] > last[0] / last[1],
+                    "more melanin increases red relative to green"
+                );
                 // What the darkest skin reflects is greyer again.
-                assert!(i > 14 || now[1] / now[2] > last[1] / last[2]);
+                assert!(
+                    i > 14 || now[1] / now[2] > last[1] / last[2],
+                    "more melanin increases green relative to blue"
+                );
                 last = now;
             }
         }
@@ -245,8 +254,11 @@ mod tests {
             let mut last = colour(&skin(melanin, 0.001));
             for i in 1..20 {
                 let now = colour(&skin(melanin, 0.001 * ops::pow(1.25, f64::from(i))));
-                assert!(now[0] / now[1] > last[0] / last[1]);
-                assert!(now[1] < last[1]);
+                assert!(
+                    now[0] / now[1] > last[0] / last[1],
+                    "more blood increases red relative to green"
+                );
+                assert!(now[1] < last[1], "more blood darkens green");
                 last = now;
             }
             let pale = |oxygen| {
@@ -256,7 +268,10 @@ mod tests {
                 })
             };
             let (full, spent) = (pale(0.95), pale(0.4));
-            assert!(spent[0] < full[0] && spent[0] / spent[2] < full[0] / full[2]);
+            assert!(
+                spent[0] < full[0] && spent[0] / spent[2] < full[0] / full[2],
+                "less oxygen makes the skin bluer"
+            );
         }
     }
 

@@ -110,7 +110,10 @@ fn no_seen_skin_overlaps_in_the_atlas_and_all_of_it_is_inside() {
     let triangles: Vec<[u32; 3]> = head.triangles.iter().copied().chain(moved).collect();
     for t in &triangles {
         for v in t {
-            assert!(uv[*v as usize].iter().all(|x| (0.004..0.996).contains(x)));
+            assert!(
+                uv[*v as usize].iter().all(|x| (0.004..0.996).contains(x)),
+                "the texture coordinates are inside the margin"
+            );
         }
     }
     let raster = Raster::new(&uv, &triangles);
@@ -185,11 +188,26 @@ fn the_face_gets_its_texels_and_is_little_stretched() {
             quantile(stretch(r), 0.95)
         );
     }
-    assert!(1.0 / quantile(mean(&face), 0.5) < 0.36);
-    assert!(1.0 / quantile(fewest(&face), 0.05) < 0.75);
-    assert!(quantile(stretch(&face), 0.95) < 2.7);
-    assert!(1.0 / quantile(mean(&back), 0.5) < 0.56);
-    assert!(quantile(stretch(&back), 0.95) < 2.0);
+    assert!(
+        1.0 / quantile(mean(&face), 0.5) < 0.36,
+        "the median texel of the face is below 0.36 mm"
+    );
+    assert!(
+        1.0 / quantile(fewest(&face), 0.05) < 0.75,
+        "the sparsest texels of the face are below 0.75 mm"
+    );
+    assert!(
+        quantile(stretch(&face), 0.95) < 2.7,
+        "95 % of the face is stretched by less than 2.7"
+    );
+    assert!(
+        1.0 / quantile(mean(&back), 0.5) < 0.56,
+        "the median texel of the back is below 0.56 mm"
+    );
+    assert!(
+        quantile(stretch(&back), 0.95) < 2.0,
+        "95 % of the back is stretched by less than 2.0"
+    );
 }
 
 #[test]
@@ -203,14 +221,23 @@ fn the_maps_keep_their_budget_and_are_the_same_each_time() {
     );
     assert!(bytes <= 550_000, "{bytes}");
     println!("wrinkles {}", maps.wrinkles.bytes.len());
-    assert!(maps.wrinkles.bytes.len() <= 120_000);
+    assert!(
+        maps.wrinkles.bytes.len() <= 120_000,
+        "the wrinkle map is within 120000 bytes"
+    );
     for image in [&maps.colour, &maps.normal, &maps.wrinkles] {
         assert_eq!(image.mime_type, "image/jpeg");
         assert_eq!(image.bytes[..3], [0xFF, 0xD8, 0xFF]);
     }
     let again = bake(&elder(), &sheets().0, &sheets().1, None);
-    assert!(again.colour == maps.colour && again.normal == maps.normal);
-    assert!(again.wrinkles == maps.wrinkles);
+    assert!(
+        again.colour == maps.colour && again.normal == maps.normal,
+        "the colour and normal maps are reproducible"
+    );
+    assert!(
+        again.wrinkles == maps.wrinkles,
+        "the wrinkle map is reproducible"
+    );
 }
 
 /// Returns the deepest fold of each kind on the visible skin where `wanted`, mm.

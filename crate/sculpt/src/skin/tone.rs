@@ -98,9 +98,15 @@ mod tests {
             };
             tones.evaluate(&skin, [0.1; 3])
         });
-        assert!(light.iter().all(|x| x.is_finite() && *x < 0.0));
+        assert!(
+            light.iter().all(|x| x.is_finite() && *x < 0.0),
+            "every vertex has a finite tone"
+        );
         let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
-        assert!(mean(&light) - mean(&dark) > 0.5);
+        assert!(
+            mean(&light) - mean(&dark) > 0.5,
+            "more melanin darkens the mean tone"
+        );
         let darker = light.iter().zip(&dark).filter(|(l, d)| d <= l).count();
         assert!(
             darker * 100 > light.len() * 97,

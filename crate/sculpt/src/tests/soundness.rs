@@ -36,7 +36,10 @@ pub(crate) fn people_built() -> Vec<&'static str> {
 fn the_skin_of_no_figure_crosses_itself() {
     for name in people_built() {
         let skin = Skin::from_figure(&shipped(name).1.figure);
-        assert!(skin.triangles.len() > 40_000);
+        assert!(
+            skin.triangles.len() > 40_000,
+            "the skin has more than 40000 triangles"
+        );
         let found = crossings(&skin.points, &skin.triangles);
         let first = found.first();
         let first = first.map(|&[a, _]| skin.points[skin.triangles[a][0] as usize]);
@@ -72,7 +75,10 @@ fn without_asymmetry_the_skin_mirrors_itself() {
         params.head.asymmetry = 0.0;
         let skin = Skin::from_figure(&build(&params).figure);
         let hands = skin.points.iter().filter(|p| p.x.abs() > 0.25).count();
-        assert!(hands > 3000 && skin.points.len() - hands > 6000);
+        assert!(
+            hands > 3000 && skin.points.len() - hands > 6000,
+            "hands and body have enough mirrored points"
+        );
         let (far, at) = farthest_from_mirrored(&skin.points, 5e-4);
         assert!(far < 1e-4, "{name}: {far} m at {at}");
     }

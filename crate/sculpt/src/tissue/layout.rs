@@ -205,6 +205,9 @@ mod tests {
             let text = format!("{COLUMNS}\n{}", row(bad));
             assert!(read(&text, &Anatomy::SHIPPED).is_err(), "{bad}");
         }
-        assert!(read("", &Anatomy::SHIPPED).is_err());
+        assert!(
+            read("", &Anatomy::SHIPPED).is_err(),
+            "an empty layout is rejected"
+        );
     }
 }

@@ -50,7 +50,10 @@ fn rows_are_all_that_a_muscle_needs() {
         (anatomy.count(), Muscle::by_name("WigglerLeft")),
         (MUSCLES + 2, None)
     );
-    assert!(Muscle::all().all(|m| by_name(m.name()) == m));
+    assert!(
+        Muscle::all().all(|m| by_name(m.name()) == m),
+        "every muscle has a row of its own name"
+    );
     let count = shipped.fibres.len();
     assert_eq!(longer.fibres[..count], shipped.fibres);
     assert_eq!(longer.points[..shipped.points.len()], shipped.points);

@@ -79,9 +79,15 @@ mod tests {
         let pairs: Vec<(DVec3, DVec3)> = (0..25).map(|i| (at(i), bend(at(i)))).collect();
         let warp = Warp::mirrored(&pairs);
         for (from, to) in &pairs {
-            assert!(warp.place(*from).distance(*to) < 1e-6);
+            assert!(
+                warp.place(*from).distance(*to) < 1e-6,
+                "the landmark is mapped to its target"
+            );
         }
         let p = DVec3::new(13.0, 22.0, 5.0);
-        assert!(warp.place(p).distance(bend(p)) < 0.6);
+        assert!(
+            warp.place(p).distance(bend(p)) < 0.6,
+            "a point between landmarks is near the bend"
+        );
     }
 }

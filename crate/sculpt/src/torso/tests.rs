@@ -134,14 +134,20 @@ fn age_sex_and_build_shape_the_body() {
         aged[1] > waist + 4.0 && aged[3] < thigh,
         "belly and thin legs"
     );
-    assert!(girths(&heavy)[1] > waist * 1.08);
+    assert!(
+        girths(&heavy)[1] > waist * 1.08,
+        "the waist grows with the build"
+    );
     let small = girths(&boy);
     assert!(
         small[1] / small[2] > waist / hip + 0.02,
         "a child has no waist"
     );
     let shoulder = |p: &BodyParams| Joints::place(p).position_of(Bone::LShoulder).x / p.stature_m;
-    assert!(shoulder(&boy) < shoulder(&man));
+    assert!(
+        shoulder(&boy) < shoulder(&man),
+        "the shoulders of the boy are narrower"
+    );
     let forward = |p: &BodyParams| {
         let j = Joints::place(p);
         j.position_of(Bone::Skull).z - j.position_of(Bone::Thoracic).z
@@ -149,7 +155,10 @@ fn age_sex_and_build_shape_the_body() {
     assert!(forward(&old) > forward(&man) + 0.02, "age stoops");
     // The head's share: from the skull's joint upwards.
     let head = |p: &BodyParams| 1.0 - Joints::place(p).position_of(Bone::Skull).y / p.stature_m;
-    assert!(head(&boy) > head(&man) * 1.15);
+    assert!(
+        head(&boy) > head(&man) * 1.15,
+        "the head of the boy is relatively larger"
+    );
 }
 
 #[test]
@@ -183,7 +192,10 @@ fn the_cage_is_sound_for_every_body() {
                 .iter()
                 .map(|w| w.1)
                 .sum();
-            assert!((sum - 1.0).abs() < 1e-9);
+            assert!(
+                (sum - 1.0).abs() < 1e-9,
+                "the weights of a vertex add up to 1"
+            );
         }
     }
 }

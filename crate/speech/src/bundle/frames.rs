@@ -118,11 +118,17 @@ mod tests {
             let back = hz_of_code(code_of_hz(hz)).unwrap();
             assert!((back / hz - 1.0).abs() < 0.006, "{hz} {back}");
             let octaves = semitones_of_code(code_of_hz(hz)).unwrap() / 12.0;
-            assert!((MIN_HZ * ops::exp(octaves * LN_2) - back).abs() < 1e-9);
+            assert!(
+                (MIN_HZ * ops::exp(octaves * LN_2) - back).abs() < 1e-9,
+                "the frequency round trips within half a step"
+            );
         }
         for tenth in -1_000..200 {
             let db = f64::from(tenth) / 10.0;
-            assert!((db_of_code(code_of_db(db)) - db).abs() < 0.26);
+            assert!(
+                (db_of_code(code_of_db(db)) - db).abs() < 0.26,
+                "the intensity round trips within half a step"
+            );
         }
         assert_eq!(code_of_db(f64::NEG_INFINITY), 0);
         assert_eq!(code_of_db(f64::NAN), 0);

@@ -55,7 +55,7 @@ impl Voice {
     /// Returns the row of the phone table that drives the lips for a symbol; `None` for an unknown
     /// one.
     #[must_use]
-    pub fn row(&self, symbol: &str) -> Option<PhoneRow> {
+    pub fn phone_row(&self, symbol: &str) -> Option<PhoneRow> {
         if symbol == SOUND {
             return Some(PhoneRow::SILENCE);
         }

@@ -69,7 +69,7 @@ impl Bundle {
             u.check(voices.len())
                 .map_err(|what| BundleError::Invalid { utterance, what })?;
             for phone in &mut u.phones {
-                phone.row = voices[u.voice].row(&phone.symbol).unwrap_or_default();
+                phone.row = voices[u.voice].phone_row(&phone.symbol).unwrap_or_default();
             }
         }
         Ok(Self {

@@ -36,7 +36,7 @@ fn times_come_from_the_phones() {
     let of_words: Vec<_> = u.phones.iter().map(|p| p.word).collect();
     assert_eq!(of_words, [None, Some(0), Some(0), None, Some(1), Some(1)]);
     let voice = &bundle.voices[u.voice];
-    let rows = ["Y", "o:", "hh", "snd"].map(|symbol| voice.row(symbol).expect("a row"));
+    let rows = ["Y", "o:", "hh", "snd"].map(|symbol| voice.phone_row(symbol).expect("a row"));
     assert_eq!(
         rows.map(|row| row.targets().name),
         ["uw", "ao", "hh", "pau"]

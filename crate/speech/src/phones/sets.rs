@@ -80,7 +80,10 @@ mod tests {
         }
         assert_eq!(find("radio", "AH0"), find("radio", "ah"));
         assert_eq!(find("espeak", "'i:").map(|p| p.viseme), Some("ih"));
-        assert!(find("radio", "xyzzy").is_none());
+        assert!(
+            find("radio", "xyzzy").is_none(),
+            "an unknown radio symbol is not found"
+        );
     }
 
     /// Symbols written by espeak-ng 1.51 (`-x --sep`) for some hundred words of each voice; foreign
@@ -158,7 +161,10 @@ mod tests {
             find("espeak-pt", "eU").and_then(PhoneTargets::glide),
             find("radio", "uh")
         );
-        assert!(find("espeak-de", "xyzzy").is_none() && find("sampa", "-").is_none());
+        assert!(
+            find("espeak-de", "xyzzy").is_none() && find("sampa", "-").is_none(),
+            "unknown symbols are not found"
+        );
     }
 
     #[test]

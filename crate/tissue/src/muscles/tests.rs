@@ -176,7 +176,10 @@ fn turned_round(tissue: &Tissue) -> (Tissue, Vec<usize>) {
 fn relaxed_muscles_rest() {
     for seed in 0..MOUTHS {
         let moved = contracted(&mouth(seed), &FaceControls::default());
-        assert!(farthest(&moved, &vec![[0.0; 3]; moved.len()]) < ROUNDED_M);
+        assert!(
+            farthest(&moved, &vec![[0.0; 3]; moved.len()]) < ROUNDED_M,
+            "relaxed muscles do not move"
+        );
     }
 }
 
@@ -246,7 +249,10 @@ fn a_fibre_keeps_its_origin_and_the_proportions_of_its_segments() {
             {
                 let points = points_of(&tissue, fibre);
                 let moved = &muscles.moved[range_of(fibre)];
-                assert!(distance(moved[0], [0.0; 3]) < ROUNDED_M);
+                assert!(
+                    distance(moved[0], [0.0; 3]) < ROUNDED_M,
+                    "the origin of the fibre stays fixed"
+                );
                 // Without the bulge, which is along +z here and 0 at both ends.
                 let (_, bulges) = Anatomy::SHIPPED.mechanics(fibre.muscle);
                 let most = bulges.abs() + THICK_MM * 1e-3;
@@ -325,7 +331,10 @@ fn the_stronger_has_more_of_its_way_and_the_weaker_gives() {
         moved[puller][2] > 0.0 && moved[pulled][2] < -1e-4,
         "{moved:?}"
     );
-    assert!(moved[usize::from(2 * RING) + 13][0] > 0.5 * alone);
+    assert!(
+        moved[usize::from(2 * RING) + 13][0] > 0.5 * alone,
+        "the weaker muscle gives way by at most half"
+    );
 }
 
 #[test]
@@ -353,7 +362,10 @@ fn a_bowed_fibre_straightens_before_it_stretches() {
         if 0.06 + pulled < length {
             assert!(longer < 1.02, "{pulled}: {longer}");
         } else {
-            assert!((longer - (0.06 + pulled) / length).abs() < 0.01 && now < 1e-4);
+            assert!(
+                (longer - (0.06 + pulled) / length).abs() < 0.01 && now < 1e-4,
+                "the fibre straightens before it stretches"
+            );
         }
     }
 }

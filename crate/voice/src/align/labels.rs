@@ -217,7 +217,13 @@ mod tests {
         assert_eq!(current("t-iy+ch"), "iy");
         assert_eq!(current("aa"), "aa");
         let context = Context::parse("h^@-l+@U=_@2_2/A:0_0_1/B:1-0-2@2-1&1").unwrap();
-        assert!(!context.is_first && context.stress == 1);
-        assert!(Context::parse("x^x-pau+hh=ax@x_x/A:0_0_0/B:x-x-x@x-x").is_none());
+        assert!(
+            !context.is_first && context.stress == 1,
+            "the phone is stressed and not the first"
+        );
+        assert!(
+            Context::parse("x^x-pau+hh=ax@x_x/A:0_0_0/B:x-x-x@x-x").is_none(),
+            "a truncated context is rejected"
+        );
     }
 }

@@ -98,7 +98,10 @@ mod tests {
         }
         for shape in ["A", "B", "C", "D", "E", "F", "G", "H", "X"] {
             let viseme = rhubarb_viseme(shape).unwrap();
-            assert!(OCULUS.contains(&viseme));
+            assert!(
+                OCULUS.contains(&viseme),
+                "the viseme is one of the Oculus set"
+            );
             let phone = phone_of_viseme(VisemeSet::Rhubarb, shape).unwrap();
             assert_eq!(phones::find("radio", phone).unwrap().viseme, viseme);
         }

@@ -154,7 +154,10 @@ fn recordings_are_inserted_or_lie_softly_under_the_speech() {
     let track = assemble(&plan, &[part(&spoken)], &[recording(0.4)], &[], RATE_HZ);
     assert!(show(&track).contains("snd"), "{}", show(&track));
     let length = 0.12 + 0.5 + 0.8 + 0.4 + 0.5 + TAIL_SECS;
-    assert!((track.utterance.duration_secs - length).abs() < 0.002);
+    assert!(
+        (track.utterance.duration_secs - length).abs() < 0.002,
+        "the duration includes the recording"
+    );
 
     // Under the speech: the same length, and louder in pauses of speech.
     let plan = planned(vec![audio(true), text("Oh ah.")]);
@@ -191,5 +194,8 @@ fn peaks_are_rounded_off_and_pauses_are_still() {
 fn nothing_to_say_is_a_short_silence() {
     let track = assemble(&Plan::default(), &[], &[], &[], RATE_HZ);
     assert_eq!(track.utterance.words, []);
-    assert!(track.utterance.duration_secs > 0.0);
+    assert!(
+        track.utterance.duration_secs > 0.0,
+        "the silence has a duration"
+    );
 }

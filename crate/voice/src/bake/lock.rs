@@ -121,7 +121,7 @@ mod tests {
         fs::create_dir(&voice).unwrap();
         fs::write(voice.join(NAME), "4000000000 and more than a number").unwrap();
         drop(Lock::acquire(&voice).unwrap());
-        assert!(!voice.exists());
+        assert!(!voice.exists(), "the abandoned folder is removed");
     }
 
     #[test]
@@ -143,6 +143,9 @@ mod tests {
                 });
             }
         });
-        assert!(taken.load(Ordering::SeqCst) > 0);
+        assert!(
+            taken.load(Ordering::SeqCst) > 0,
+            "the lock is taken at least once"
+        );
     }
 }

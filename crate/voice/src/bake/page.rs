@@ -265,7 +265,10 @@ mod tests {
             assert_eq!(phones.count(), 3 * utterance.words.len());
             let reader = hound::WavReader::new(&wave[..]).unwrap();
             let secs = f64::from(reader.duration()) / f64::from(reader.spec().sample_rate);
-            assert!((secs - utterance.duration_secs).abs() < 0.01);
+            assert!(
+                (secs - utterance.duration_secs).abs() < 0.01,
+                "the audio has the length of its utterance"
+            );
         }
         let more = TWO.replace("</body>", "<voice-text time='20'>Four.</voice-text></body>");
         let (both, sounds, _) = say(&more, Some(bundle.clone()));
@@ -310,7 +313,10 @@ mod tests {
         assert!(problems[0].contains("no such word"), "{problems:?}");
         let file =
             "<eml><body><voice-say time='0' type='text' content='/etc/passwd'/></body></eml>";
-        assert!(say(file, None).1.is_empty());
+        assert!(
+            say(file, None).1.is_empty(),
+            "rejected content speaks nothing"
+        );
     }
 
     #[test]
@@ -320,13 +326,19 @@ mod tests {
         let mut saying =
             PageBake::new(speech_requests(&raconteur_eml::parse(&late).document), None);
         for _ in 0..3 {
-            assert!(saying.step(&options).unwrap());
+            assert!(
+                saying.step(&options).unwrap(),
+                "the engine gets ready before it speaks"
+            );
         }
-        assert!(saying.take_sounds().is_empty());
+        assert!(saying.take_sounds().is_empty(), "no audio is ready yet");
         READY.set(true);
         while saying.step(&options).unwrap() {}
         assert_eq!(saying.take_sounds().len(), 2);
-        assert!(saying.take_problems().is_empty());
+        assert!(
+            saying.take_problems().is_empty(),
+            "no problem is reported yet"
+        );
     }
 
     #[test]

@@ -48,9 +48,15 @@ fn pauses_have_the_spread_of_peoples_and_the_same_text_has_the_same() {
     assert!((median / SENTENCE_PAUSE_SECS - 1.0).abs() < 0.1, "{median}");
     assert!((spread - SPREAD).abs() < 0.05, "{spread}");
     for planned in &plan.sentences {
-        assert!((PAUSE_SECS.0..=PAUSE_SECS.1).contains(&planned.pause_secs));
+        assert!(
+            (PAUSE_SECS.0..=PAUSE_SECS.1).contains(&planned.pause_secs),
+            "the pause is between the shortest and longest one"
+        );
         let rests = planned.rests.iter().filter(|s| **s > 0.0);
-        assert!(rests.clone().count() > 0 && rests.clone().all(|s| *s >= PAUSE_SECS.0));
+        assert!(
+            rests.clone().count() > 0 && rests.clone().all(|s| *s >= PAUSE_SECS.0),
+            "rests exist and last at least the shortest pause"
+        );
     }
 }
 
@@ -126,11 +132,11 @@ fn direct_speech_has_a_style_of_its_own_and_authors_win() {
             .filter(|w| !w.is_empty())
             .collect();
         assert_eq!(quoted, expected, "{text}");
-        assert!(!own.is_empty());
+        assert!(!own.is_empty(), "direct speech has a style");
     }
     let mut style = Style::default();
     style.pitch_middle = style.pitch_middle.with(Setting::Value(300.0));
     let spoken = spoken_by_another(&style);
     assert_eq!(spoken.pitch_middle, style.pitch_middle);
-    assert!(spoken.rate.factor > 1.0);
+    assert!(spoken.rate.factor > 1.0, "the direct speech is faster");
 }

@@ -268,7 +268,10 @@ mod tests {
             let path = folder.path().join("a.opus");
             fs::write(&path, "old").unwrap();
             let disk = Faulty::with_room(room);
-            assert!(replace_on(&disk, &path, b"the new one").is_err());
+            assert!(
+                replace_on(&disk, &path, b"the new one").is_err(),
+                "a full disk rejects the replacement"
+            );
             assert_eq!(fs::read(&path).unwrap(), b"old");
             assert_eq!(names(folder.path()), ["a.opus"]);
         }
@@ -280,7 +283,7 @@ mod tests {
             let part = part_of(&Path::new("x").join(name));
             let part = part.file_name().unwrap().to_str().unwrap().to_owned();
             assert!(is_part(&part), "{part}");
-            assert!(!is_part(name));
+            assert!(!is_part(name), "the name is not that of a partial file");
         }
         for other in ["a.part", "part", ".", "", ".part.of.it", "x.part.opus"] {
             assert!(!is_part(other) || other == ".part", "{other}");
@@ -297,13 +300,25 @@ mod tests {
         fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
         symlink("file", &link).unwrap();
         replace(&link, b"new").unwrap();
-        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert!(
+            fs::symlink_metadata(&link).unwrap().is_symlink(),
+            "the link stays a link"
+        );
         assert_eq!(fs::read(&file).unwrap(), b"new");
         let mode = fs::metadata(&file).unwrap().permissions().mode();
         assert_eq!(mode & 0o777, 0o640);
         replace(Path::new("/dev/null"), b"gone").unwrap();
-        assert!(!fs::metadata("/dev/null").unwrap().is_file());
-        assert!(replace(folder.path(), b"").is_err());
-        assert!(replace(&folder.path().join("no/such"), b"").is_err());
+        assert!(
+            !fs::metadata("/dev/null").unwrap().is_file(),
+            "the device stays a device"
+        );
+        assert!(
+            replace(folder.path(), b"").is_err(),
+            "a folder is not replaced"
+        );
+        assert!(
+            replace(&folder.path().join("no/such"), b"").is_err(),
+            "a missing folder is rejected"
+        );
     }
 }

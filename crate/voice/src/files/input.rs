@@ -99,7 +99,8 @@ mod tests {
             bytes(folder.path(), 10)
                 .unwrap_err()
                 .to_string()
-                .contains("a folder")
+                .contains("a folder"),
+            "the error names a folder"
         );
         #[cfg(unix)]
         {
@@ -110,7 +111,10 @@ mod tests {
             );
             // Of no size, by what it tells.
             if Path::new("/proc/self/maps").exists() {
-                assert!(bytes(Path::new("/proc/self/maps"), 10).is_err());
+                assert!(
+                    bytes(Path::new("/proc/self/maps"), 10).is_err(),
+                    "a file without a known size is rejected"
+                );
             }
         }
     }

@@ -91,7 +91,10 @@ mod tests {
         fs::write(story.join("sound/a.wav"), "x").unwrap();
         fs::write(folder.path().join("secret"), "x").unwrap();
         let found = find(&story, "sound/a.wav").unwrap().unwrap();
-        assert!(found.is_absolute() && found.ends_with("story/sound/a.wav"));
+        assert!(
+            found.is_absolute() && found.ends_with("story/sound/a.wav"),
+            "the found path is absolute and in the story"
+        );
         assert_eq!(find(&story, "./sound/a.wav").unwrap(), Some(found));
         for absent in ["sound/b.wav", "no/such", "sound/a.wav/more"] {
             assert_eq!(find(&story, absent).unwrap(), None, "{absent}");
@@ -126,14 +129,23 @@ mod tests {
         symlink("..", story.join("up")).unwrap();
         symlink("/dev/zero", story.join("zero")).unwrap();
         symlink("nowhere", story.join("dangling")).unwrap();
-        assert!(find(&story, "inner").unwrap().unwrap().ends_with("story/a"));
+        assert!(
+            find(&story, "inner").unwrap().unwrap().ends_with("story/a"),
+            "the inner link is followed"
+        );
         assert_eq!(find(&story, "dangling").unwrap(), None);
         for bad in ["outer", "up/secret", "up/story/../secret", "zero"] {
             assert!(find(&story, bad).is_err(), "{bad}");
         }
         // The folder itself may be reached by a link: its owner has named it.
         symlink("story", folder.path().join("link")).unwrap();
-        assert!(find(&folder.path().join("link"), "a").unwrap().is_some());
-        assert!(find(Path::new("/dev"), "zero").is_err());
+        assert!(
+            find(&folder.path().join("link"), "a").unwrap().is_some(),
+            "a linked story folder is accepted"
+        );
+        assert!(
+            find(Path::new("/dev"), "zero").is_err(),
+            "a device is rejected"
+        );
     }
 }

@@ -156,7 +156,10 @@ mod tests {
                 assert!(error.contains(told), "{text:?}: {error}");
             }
         }
-        assert!(Sound::open(folder.path()).is_err());
+        assert!(
+            Sound::open(folder.path()).is_err(),
+            "a folder is rejected as audio"
+        );
     }
 
     #[test]
@@ -171,6 +174,9 @@ mod tests {
             told[..5],
             ["-protocol_whitelist", "file,pipe", "-f", "ogg", "-i"]
         );
-        assert!(told[5].starts_with("file:/"));
+        assert!(
+            told[5].starts_with("file:/"),
+            "ffmpeg reads a file URL only"
+        );
     }
 }

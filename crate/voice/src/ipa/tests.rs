@@ -84,7 +84,10 @@ fn phones_of_aligners_become_those_of_sampa() {
     for none in ["", "AA1", "sil", "spn!", "ʘ", "a.b", "tS"] {
         assert!(!is_phone(none), "{none}");
     }
-    assert!(is_phone("ɔj") && !is_phone("aa") && !is_phone("spn"));
+    assert!(
+        is_phone("ɔj") && !is_phone("aa") && !is_phone("spn"),
+        "the IPA phone is distinguished from other notations"
+    );
     let all = TABLE
         .iter()
         .filter_map(|row| Some((row.ipa, in_sampa(row.ipa)?)));
@@ -100,8 +103,14 @@ fn what_is_no_pronunciation_is_refused() {
     for bad in ["", "ʃː", "hello7", "\") (quit) (\"", "[[a]] b{", "ə\u{0}"] {
         assert!(syllables(bad, Set::Radio).is_err(), "{bad}");
     }
-    assert!(syllables(&"a".repeat(201), Set::Radio).is_err());
-    assert!(syllables(&"a\u{329}".repeat(100), Set::Radio).is_ok());
+    assert!(
+        syllables(&"a".repeat(201), Set::Radio).is_err(),
+        "a pronunciation of 201 letters is rejected"
+    );
+    assert!(
+        syllables(&"a\u{329}".repeat(100), Set::Radio).is_ok(),
+        "a pronunciation of 100 syllables is accepted"
+    );
 }
 
 #[test]

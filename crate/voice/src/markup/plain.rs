@@ -84,7 +84,10 @@ mod tests {
             ]
         );
         let prose = read(&format!("{}\nshort", "word ".repeat(13)));
-        assert!(prose.segments.iter().all(|s| matches!(s, Segment::Text(_))));
+        assert!(
+            prose.segments.iter().all(|s| matches!(s, Segment::Text(_))),
+            "prose has text segments only"
+        );
         assert_eq!(prose.words().len(), 14);
         assert_eq!(read(" \n\r\n"), Content::default());
     }

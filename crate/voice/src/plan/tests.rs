@@ -61,7 +61,10 @@ fn breaks_belong_to_the_word_before_and_add_up() {
     ]);
     assert_eq!(p.lead_pause_secs, 0.25);
     assert_eq!(show(&p), ["0:One<0.125> 1:two.<0.6>", "2:Three"]);
-    assert!(p.sentences[0].sentence.tokens[0].pause);
+    assert!(
+        p.sentences[0].sentence.tokens[0].pause,
+        "the break belongs to the preceding token"
+    );
     assert_eq!(p.sentences[0].pause_secs, 0.6);
     assert_eq!(p.sentences[1].pause_secs, SENTENCE_PAUSE_SECS);
     let p = planned(vec![
@@ -155,7 +158,10 @@ fn another_language_or_speaker_is_a_sentence_of_its_own() {
     ]);
     assert_eq!(show(&p), ["0:He 1:said", "2:guten 3:Tag", "4:to 5:me."]);
     assert_eq!(p.sentences[1].sentence.language, "de");
-    assert!(p.sentences[0].goes_on && !p.sentences[2].goes_on);
+    assert!(
+        p.sentences[0].goes_on && !p.sentences[2].goes_on,
+        "the first part continues and the third starts a sentence"
+    );
 }
 
 #[test]
@@ -179,14 +185,20 @@ fn pronunciations_stand_for_what_is_in_them() {
         Segment::Close,
     ]);
     assert_eq!(show(&p), ["0:nine 1:lyves, 2:the 3:red."]);
-    assert!(p.sentences[0].sentence.tokens[3].ipa.is_some());
+    assert!(
+        p.sentences[0].sentence.tokens[3].ipa.is_some(),
+        "the token has the pronunciation"
+    );
     assert_eq!(p.words, ["nine", "lives,", "the", "red", "tomato."]);
 }
 
 #[test]
 fn a_text_without_full_stops_is_parted_and_an_hour_of_silence_refused() {
     let p = planned(vec![text(&"and ".repeat(1000))]);
-    assert!(p.sentences.len() == 10 && p.words.len() == 1000);
+    assert!(
+        p.sentences.len() == 10 && p.words.len() == 1000,
+        "the long text is split into 10 sentences"
+    );
     let content = Content {
         segments: vec![text("Hm"), pause(3_600_000)],
     };

@@ -49,7 +49,10 @@ fn what_is_closed_too_often_or_never_is_tolerated() {
     segments.push(text("c"));
     let resolved = resolve_segments(segments);
     let styles: Vec<_> = resolved.styled_words();
-    assert!(styles[0].1 == styles[2].1 && styles[0].1 != styles[1].1);
+    assert!(
+        styles[0].1 == styles[2].1 && styles[0].1 != styles[1].1,
+        "the styles outside the element are equal"
+    );
     assert_eq!(styles.len(), 3);
 }
 
@@ -147,6 +150,9 @@ fn what_is_read_as_one_is_told_apart_from_its_neighbour() {
         .collect();
     assert_eq!(together[0], together[1]);
     assert_eq!(together[2], together[3]);
-    assert!(together[1] != together[2] && together[4] > together[3]);
+    assert!(
+        together[1] != together[2] && together[4] > together[3],
+        "neighbouring spans have their own style"
+    );
     assert_eq!(together[5], None);
 }

@@ -168,16 +168,23 @@ mod tests {
             assert!(
                 all(&sound, rate)
                     .iter()
-                    .any(|b| (b.secs - 0.45).abs() < 0.001)
+                    .any(|b| (b.secs - 0.45).abs() < 0.001),
+                "the burst is found within a millisecond"
             );
         }
     }
 
     #[test]
     fn no_sound_has_no_bursts() {
-        assert!(all(&[], 16_000.0).is_empty());
-        assert!(all(&[0.0; 3000], 16_000.0).is_empty());
-        assert!(all(&[f64::NAN; 3000], 16_000.0).is_empty());
+        assert!(all(&[], 16_000.0).is_empty(), "empty audio has no bursts");
+        assert!(
+            all(&[0.0; 3000], 16_000.0).is_empty(),
+            "silence has no bursts"
+        );
+        assert!(
+            all(&[f64::NAN; 3000], 16_000.0).is_empty(),
+            "audio of NaN has no bursts"
+        );
         assert_eq!(find(&[0.1; 3000], 16_000.0, f64::NAN, 1.0), None);
         assert_eq!(find(&[0.1; 3000], 16_000.0, 9.0, f64::INFINITY), None);
         let spans = rigid_spans(&[Burst {

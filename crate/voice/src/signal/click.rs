@@ -71,7 +71,10 @@ mod tests {
             *x = -*x + 0.2;
         }
         let after = click_measure(&sound, rate);
-        assert!(after.is_some_and(|c| (c.secs - 0.5).abs() < 2e-4 && c.ratio > 3.0 * before));
+        assert!(
+            after.is_some_and(|c| (c.secs - 0.5).abs() < 2e-4 && c.ratio > 3.0 * before),
+            "the click is found at 0.5 s and louder than before"
+        );
         assert_eq!(click_measure(&[0.0; 99], rate), None);
         assert_eq!(click_measure(&[1.0, 0.0], rate), None);
         assert_eq!(click_measure(&[f64::NAN; 9], rate), None);

@@ -344,7 +344,10 @@ mod tests {
                 .filter(|e| e.voiced && e.secs > 0.12 && e.secs < 0.88)
                 .map(|e| e.secs)
                 .collect();
-            assert!(marks.len() as f64 > 0.75 * 0.5 * (from + to) * 0.95);
+            assert!(
+                marks.len() as f64 > 0.75 * 0.5 * (from + to) * 0.95,
+                "the marks cover at least 95 % of the voiced periods"
+            );
             for pair in marks.windows(2) {
                 let periods = (pair[1] - pair[0]) * truth.hz_at(0.5 * (pair[0] + pair[1]));
                 assert!((periods - 1.0).abs() < 0.06, "{rate} {from}: {periods}");
@@ -368,9 +371,15 @@ mod tests {
             ..PitchTrack::default()
         };
         let marks = find(&sound, 16_000.0, &empty);
-        assert!((90..110).contains(&marks.len()));
+        assert!(
+            (90..110).contains(&marks.len()),
+            "the unvoiced audio has about 100 marks"
+        );
         let steps: Vec<f64> = marks.windows(2).map(|p| p[1].secs - p[0].secs).collect();
-        assert!(steps.iter().all(|s| (0.002..0.008).contains(s)));
+        assert!(
+            steps.iter().all(|s| (0.002..0.008).contains(s)),
+            "the unvoiced marks are 2 to 8 ms apart"
+        );
         let spread = steps.iter().map(|s| (s - 0.005).abs()).sum::<f64>() / steps.len() as f64;
         assert!(spread > 0.0004, "{spread}");
     }
@@ -386,12 +395,14 @@ mod tests {
         assert!(
             find(&sound, 16_000.0, &wild)
                 .iter()
-                .all(|e| e.secs.is_finite())
+                .all(|e| e.secs.is_finite()),
+            "the marks of a wild track are finite"
         );
         assert!(
             find(&[f64::NAN; 900], 16_000.0, &wild)
                 .iter()
-                .all(|e| e.secs.is_finite())
+                .all(|e| e.secs.is_finite()),
+            "the marks of audio of NaN are finite"
         );
     }
 }

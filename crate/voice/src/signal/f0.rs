@@ -306,11 +306,20 @@ mod tests {
     #[test]
     fn what_is_no_sound_has_no_pitch_and_no_panic() {
         let o = PitchOptions::default();
-        assert!(track(&[], 16_000.0, &o).hz.is_empty());
-        assert!(track(&[0.0; 10], f64::NAN, &o).hz.is_empty());
+        assert!(
+            track(&[], 16_000.0, &o).hz.is_empty(),
+            "empty audio has no pitch frames"
+        );
+        assert!(
+            track(&[0.0; 10], f64::NAN, &o).hz.is_empty(),
+            "an invalid sample rate has no pitch frames"
+        );
         assert_eq!(track(&[0.0; 1600], 16_000.0, &o).hz, vec![0.0; 11]);
         let broken = track(&[f64::NAN; 1600], 16_000.0, &o);
-        assert!(broken.hz.iter().all(|&hz| hz == 0.0));
+        assert!(
+            broken.hz.iter().all(|&hz| hz == 0.0),
+            "broken audio has no pitch"
+        );
         let noise: Vec<f64> = (0..16_000).map(super::super::scatter).collect();
         let found = track(&noise, 16_000.0, &o);
         let voiced = found.hz.iter().filter(|&&hz| hz > 0.0).count();
@@ -327,7 +336,10 @@ mod tests {
             hz: vec![0.0, 100.0, 400.0, 0.0, 0.0],
             strength: vec![0.0; 5],
         };
-        assert!((track.hz_at(0.015) - 200.0).abs() < 1e-9);
+        assert!(
+            (track.hz_at(0.015) - 200.0).abs() < 1e-9,
+            "the pitch between two frames is interpolated"
+        );
         assert_eq!(track.hz_at(0.006), 100.0);
         assert_eq!(track.hz_at(0.026), 0.0);
         assert_eq!(track.hz_near(0.04, 0.03), 400.0);

@@ -129,18 +129,33 @@ mod tests {
                 assert!((db - truth).abs() < 0.05, "{i}: {db}");
             }
         }
-        assert!((level.db_at(0.255) + 3.01).abs() < 0.05);
-        assert!((span_db(&tone, rate, 0.6, 0.9) + 23.01).abs() < 0.01);
+        assert!(
+            (level.db_at(0.255) + 3.01).abs() < 0.05,
+            "the level of a full-scale tone"
+        );
+        assert!(
+            (span_db(&tone, rate, 0.6, 0.9) + 23.01).abs() < 0.01,
+            "the level of a quiet tone"
+        );
         assert_eq!(span_db(&tone, rate, 5.0, 4.0), SILENCE_DB);
         assert_eq!(span_db(&tone, rate, f64::NAN, 0.0), SILENCE_DB);
-        assert!((rms(&tone[..8000]) - 0.5_f64.sqrt()).abs() < 1e-9);
+        assert!(
+            (rms(&tone[..8000]) - 0.5_f64.sqrt()).abs() < 1e-9,
+            "the root mean square of a tone"
+        );
     }
 
     #[test]
     fn nothing_is_silence() {
         assert_eq!(rms(&[]), 0.0);
-        assert!(intensity(&[], 16_000.0, 0.01, 0.03).db.is_empty());
-        assert!(intensity(&[1.0], f64::NAN, f64::NAN, 0.03).db.is_empty());
+        assert!(
+            intensity(&[], 16_000.0, 0.01, 0.03).db.is_empty(),
+            "empty audio has no intensity frames"
+        );
+        assert!(
+            intensity(&[1.0], f64::NAN, f64::NAN, 0.03).db.is_empty(),
+            "an invalid sample rate has no intensity frames"
+        );
         assert_eq!(intensity(&[0.0; 99], 8000.0, 0.01, 0.03).db[0], SILENCE_DB);
         let none = Intensity {
             step_secs: 0.01,

@@ -110,18 +110,30 @@ mod tests {
     fn at_48_khz_the_filters_are_those_of_the_tables() {
         let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
         let one = shelf(48_000.0);
-        assert!(near(
-            &one.b,
-            &[
-                1.535_124_859_586_97,
-                -2.691_696_189_406_38,
-                1.198_392_810_852_85
-            ]
-        ));
-        assert!(near(&one.a, &[-1.690_659_293_182_41, 0.732_480_774_215_85]));
+        assert!(
+            near(
+                &one.b,
+                &[
+                    1.535_124_859_586_97,
+                    -2.691_696_189_406_38,
+                    1.198_392_810_852_85
+                ]
+            ),
+            "the numerator of the shelving filter"
+        );
+        assert!(
+            near(&one.a, &[-1.690_659_293_182_41, 0.732_480_774_215_85]),
+            "the denominator of the shelving filter"
+        );
         let two = high_pass(48_000.0);
-        assert!(near(&two.b, &[1.0, -2.0, 1.0]));
-        assert!(near(&two.a, &[-1.990_047_454_833_98, 0.990_072_250_366_21]));
+        assert!(
+            near(&two.b, &[1.0, -2.0, 1.0]),
+            "the numerator of the high-pass filter"
+        );
+        assert!(
+            near(&two.a, &[-1.990_047_454_833_98, 0.990_072_250_366_21]),
+            "the denominator of the high-pass filter"
+        );
     }
 
     #[test]
@@ -144,14 +156,26 @@ mod tests {
         sound.extend(tone(rate, 997.0, 0.003, 4.0));
         let with_pauses = integrated_lufs(&[&sound], rate).unwrap_or(0.0);
         // The blocks that straddle the end are quieter and still over the gate.
-        assert!((alone + 23.01).abs() < 0.1 && (with_pauses - alone).abs() < 0.25);
+        assert!(
+            (alone + 23.01).abs() < 0.1 && (with_pauses - alone).abs() < 0.25,
+            "pauses do not change the loudness"
+        );
         // One channel of two in front reads the same, both read 3 dB more.
         let (full, still) = (tone(rate, 997.0, 1.0, 5.0), vec![0.0; 5 * rate as usize]);
         let of = |channels: &[&[f64]]| integrated_lufs(channels, rate).unwrap_or(0.0);
-        assert!((of(&[&full, &still]) + 3.01).abs() < 0.02);
-        assert!((of(&[&full, &full]) - of(&[&full]) - 3.01).abs() < 0.01);
+        assert!(
+            (of(&[&full, &still]) + 3.01).abs() < 0.02,
+            "a silent channel does not add loudness"
+        );
+        assert!(
+            (of(&[&full, &full]) - of(&[&full]) - 3.01).abs() < 0.01,
+            "two equal channels add 3.01 LU"
+        );
         assert_eq!(integrated_lufs(&[&[0.0; 9999]], rate), None);
         assert_eq!(integrated_lufs(&[&[0.5; 9]], f64::NAN), None);
-        assert!(integrated_lufs(&[&tone(rate, 997.0, 1.0, 0.1)], rate).is_some());
+        assert!(
+            integrated_lufs(&[&tone(rate, 997.0, 1.0, 0.1)], rate).is_some(),
+            "100 ms of a tone have a loudness"
+        );
     }
 }

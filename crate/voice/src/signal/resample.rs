@@ -103,7 +103,10 @@ mod tests {
         ] {
             for hz in [100.0, 997.0, 5_000.0] {
                 let changed = resample(&tone(hz, from, 1.0), from, to);
-                assert!((changed.len() as f64 - to).abs() <= 1.0);
+                assert!(
+                    (changed.len() as f64 - to).abs() <= 1.0,
+                    "the resampled length is exact to one sample"
+                );
                 let error = difference_db(&changed, &tone(hz, to, 1.0));
                 assert!(error < -65.0, "{from} {to} {hz}: {error} dB");
             }

@@ -107,20 +107,38 @@ mod tests {
         for factor in [0.5, 0.8, 1.0, 1.6, 3.0] {
             let map = time_map(1.0, &|_| factor, &[(0.3, 0.32), (0.5, 0.53)]);
             assert!((map.after(1.0) - factor).abs() < 1e-9, "{factor}");
-            assert!((map.after(0.32) - map.after(0.3) - 0.02).abs() < 1e-9);
-            assert!((map.after(0.53) - map.after(0.5) - 0.03).abs() < 1e-9);
+            assert!(
+                (map.after(0.32) - map.after(0.3) - 0.02).abs() < 1e-9,
+                "the first rigid span keeps its length"
+            );
+            assert!(
+                (map.after(0.53) - map.after(0.5) - 0.03).abs() < 1e-9,
+                "the second rigid span keeps its length"
+            );
             // Far from the spans the factor is as requested.
-            assert!((map.after(0.15) - 0.15 * factor).abs() < 1e-9);
+            assert!(
+                (map.after(0.15) - 0.15 * factor).abs() < 1e-9,
+                "the time before the span is scaled"
+            );
         }
     }
 
     #[test]
     fn what_cannot_be_had_is_left() {
         let map = time_map(0.2, &|_| 2.0, &[(-1.0, 9.0)]);
-        assert!((map.after(0.2) - 0.2).abs() < 1e-9);
+        assert!(
+            (map.after(0.2) - 0.2).abs() < 1e-9,
+            "an impossible total length is ignored"
+        );
         let map = time_map(0.2, &|_| 99.0, &[]);
-        assert!((map.after(0.2) - 1.0).abs() < 1e-9);
+        assert!(
+            (map.after(0.2) - 1.0).abs() < 1e-9,
+            "the requested total length is reached"
+        );
         let map = time_map(0.0105, &|_| f64::NAN, &[(f64::NAN, 0.004)]);
-        assert!((map.after(0.0105) - 0.0105).abs() < 1e-12);
+        assert!(
+            (map.after(0.0105) - 0.0105).abs() < 1e-12,
+            "the time in the rigid span is unchanged"
+        );
     }
 }

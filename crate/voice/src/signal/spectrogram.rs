@@ -153,7 +153,10 @@ mod tests {
         let hz = 8000.0 * (255.5 - brightest as f64) / 256.0;
         assert!((hz - 3000.0).abs() < 40.0, "{hz}");
         // 216 Hz wide at −3 dB, so 1 kHz away there is nothing.
-        assert!(column[brightest] > 250 && column[brightest + 32] == 0);
+        assert!(
+            column[brightest] > 250 && column[brightest + 32] == 0,
+            "the tone is bright at its frequency only"
+        );
     }
 
     #[test]
@@ -167,11 +170,20 @@ mod tests {
         };
         assert_eq!(spectrogram(&[1.0], 16_000.0, &tall).width, 0);
         let silent = spectrogram(&[0.0; 1600], 16_000.0, &o);
-        assert!(silent.levels.iter().all(|l| *l == 0) && silent.width == 51);
+        assert!(
+            silent.levels.iter().all(|l| *l == 0) && silent.width == 51,
+            "silence has 51 empty columns"
+        );
         // 8 kHz has nothing above 4 kHz to show.
         let noise: Vec<f64> = (0..800).map(super::super::scatter).collect();
         let low = spectrogram(&noise, 8000.0, &o);
-        assert!(low.levels[..low.width * 127].iter().all(|l| *l == 0));
-        assert!(low.levels[low.width * 130..].iter().any(|l| *l > 200));
+        assert!(
+            low.levels[..low.width * 127].iter().all(|l| *l == 0),
+            "the upper rows are empty"
+        );
+        assert!(
+            low.levels[low.width * 130..].iter().any(|l| *l > 200),
+            "the lower rows contain the tone"
+        );
     }
 }

@@ -98,10 +98,13 @@ mod tests {
             map.knees(),
             &[(0.0, 0.0), (1.0, 1.0), (2.0, 3.0), (3.0, 3.25)]
         );
-        assert!((map.after(1.5) - 2.0).abs() < 1e-12);
+        assert!((map.after(1.5) - 2.0).abs() < 1e-12, "the mapped time");
         for i in -10..50 {
             let t = f64::from(i) * 0.1;
-            assert!((map.before(map.after(t)) - t).abs() < 1e-12);
+            assert!(
+                (map.before(map.after(t)) - t).abs() < 1e-12,
+                "the mapped time round trips"
+            );
         }
         assert_eq!(map.after(4.0), 4.25);
         assert_eq!(TimeMap::identity().after(0.7), 0.7);

@@ -1,4 +1,4 @@
-//! How emotions come and go, pass into each other, and move breath and face.
+//! Tests of onset, decay and transitions of emotions, and of their effect on breath and face.
 
 use super::super::basic::BasicEmotion;
 use super::super::expression::Expression;
@@ -57,11 +57,17 @@ fn an_emotion_is_full_at_its_apex_and_gone_at_its_borders() {
         assert_eq!((track.liveliness(t), track.breath(t).depth), (1.0, 1.0));
         assert_eq!(track.strength(t), 0.0);
     }
-    assert!(apart(&face(&track, 3.0), &full(BasicEmotion::Joy)) < 1e-12);
+    assert!(
+        apart(&face(&track, 3.0), &full(BasicEmotion::Joy)) < 1e-12,
+        "joy is full at its apex"
+    );
     let middle =
         face(&track, 2.0).contraction[raconteur_body::face::Muscle::ZygomaticusMajorLeft.index()];
     assert!((middle - 0.4).abs() < 1e-12, "{middle}");
-    assert!((track.sample(3.0).evaluation - 42.2).abs() < 1e-9);
+    assert!(
+        (track.sample(3.0).evaluation - 42.2).abs() < 1e-9,
+        "the evaluation at the apex"
+    );
     assert_eq!((track.strength(2.0), track.strength(3.0)), (0.5, 1.0));
 }
 
@@ -91,8 +97,8 @@ fn one_emotion_passes_into_another_without_a_jump() {
         }
         last = now;
     }
-    // The fastest of them comes within 0.25 s: 1.5 times the mean speed, and as much
-    // again as what it takes the place of goes.
+    // The fastest onset takes 0.25 s: at most 1.5 times the mean speed, and the replaced emotion
+    // fades as fast.
     assert!(worst < 2.0 * 1.5 / 250.0, "{worst} a millisecond");
 }
 
@@ -118,8 +124,14 @@ fn any_number_of_emotions_stays_within_the_ranges() {
             let face = face(&track, t);
             let within = |v: &f64| (0.0..=1.0 + 1e-12).contains(v);
             assert!(face.contraction.iter().all(within), "{face:?}");
-            assert!(face.upper_lid[0].abs() <= 1.0 + 1e-12 && face.blush.abs() <= 1.0);
-            assert!((0.3..2.0).contains(&track.liveliness(t)));
+            assert!(
+                face.upper_lid[0].abs() <= 1.0 + 1e-12 && face.blush.abs() <= 1.0,
+                "lids and blush stay in their ranges"
+            );
+            assert!(
+                (0.3..2.0).contains(&track.liveliness(t)),
+                "the liveliness stays in its range"
+            );
             let breath = t + track.breath(t).lead_secs;
             assert!(i == 0 || breath > last_breath, "breath goes on");
             last_breath = breath;
@@ -133,9 +145,15 @@ fn breath_goes_faster_in_fear_and_nothing_jumps() {
     assert_eq!(track.breath(1.0).lead_secs, 0.0);
     let gained = track.breath(14.0).lead_secs - track.breath(4.0).lead_secs;
     assert!((gained - 5.0).abs() < 1e-9, "half as fast again: {gained}");
-    assert!(track.breath(9.0).depth < 0.8);
+    assert!(
+        track.breath(9.0).depth < 0.8,
+        "fear makes breathing shallower"
+    );
     let after = track.breath(16.0).lead_secs;
-    assert!((track.breath(60.0).lead_secs - after).abs() < 1e-12);
+    assert!(
+        (track.breath(60.0).lead_secs - after).abs() < 1e-12,
+        "the lead of the breath stays constant afterwards"
+    );
     for i in 0..20_000 {
         let t = f64::from(i) * 1e-3;
         let gained = track.breath(t + 1e-3).lead_secs - track.breath(t).lead_secs;
@@ -152,13 +170,19 @@ fn emotions_are_set_by_name() {
     let parameters = ParameterTrack::new(&script, &|_| None);
     let track = EmotionTrack::new(&[], parameters.emotions());
     assert_eq!(apart(&face(&track, 1.0), &FaceControls::default()), 0.0);
-    assert!(apart(&face(&track, 2.0), &full(BasicEmotion::Disgust)) < 1e-12);
+    assert!(
+        apart(&face(&track, 2.0), &full(BasicEmotion::Disgust)) < 1e-12,
+        "disgust set by name is full at its apex"
+    );
     let joyful = span("joy", [1.5, 2.0, 3.0, 4.0]);
     let track = EmotionTrack::new(&[joyful], parameters.emotions());
     // Half of both: joy's and disgust's corners of the mouth pull against each other.
     let mixed = face(&track, 2.5).contraction;
     let zygomaticus = raconteur_body::face::Muscle::ZygomaticusMajorLeft.index();
-    assert!((mixed[zygomaticus] - 0.5 * (0.8 - 0.2)).abs() < 1e-12);
+    assert!(
+        (mixed[zygomaticus] - 0.5 * (0.8 - 0.2)).abs() < 1e-12,
+        "the mixed zygomaticus is the mean of its emotions"
+    );
 }
 
 #[test]
@@ -184,7 +208,10 @@ fn who_kids_winks_at_the_apex_with_one_eye_and_smiles_throughout() {
         for i in 0..1000 {
             let now = lids(1.0 + 0.002 * f64::from(i))[0];
             // 1.5 times the mean speed of closing.
-            assert!((now - before).abs() < 1.51 * 0.002 / 0.12);
+            assert!(
+                (now - before).abs() < 1.51 * 0.002 / 0.12,
+                "the wink has no jump"
+            );
             before = now;
         }
     }

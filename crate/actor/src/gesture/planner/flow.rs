@@ -1,4 +1,4 @@
-//! Ways between places: through some without a stop, and arched around the body.
+//! Paths between positions: through some without a stop, and curved around the body.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DVec3, Length};
@@ -30,7 +30,7 @@ impl Planner<'_> {
             let (before, after) = (pb - pa, pc - pb);
             let [ta, tb, tc] = [i - 1, i, i + 1].map(|k| track.times[k]);
             let (ta, tc) = (tb - ta, tc - tb);
-            // A hold begins or ends with the hand at rest.
+            // The hand is at rest at the start and the end of a hold.
             let still = |v: DVec3| v.magnitude() < 2.0 * HOLD_DRIFT_M;
             if ta < 1e-3 || tc < 1e-3 || still(before) || still(after) {
                 continue;
@@ -43,7 +43,8 @@ impl Planner<'_> {
         }
     }
 
-    /// Bulge of the piece between two nodes: outwards, forwards and around the body.
+    /// Returns the bulge of the wrist path between two nodes, outwards, forwards and around the
+    /// body, metres.
     pub(super) fn arch_between(&self, a: usize, b: usize) -> DVec3 {
         let track = &self.out.wrist;
         let at = |k: usize| {
@@ -59,14 +60,14 @@ impl Planner<'_> {
         let direction = along / length;
         let outwards = DVec3::new(0.8 * self.side.sign(), 0.0, 0.6);
         let square = outwards - direction * direction.dot(outwards);
-        // Who is pressed for time takes the straight way.
+        // A motion with little time takes the straight path.
         let leisure = ((track.times[b] - track.times[a]) / reach_secs(length)).min(1.0);
         let bulge = length.min(0.9) * leisure;
         let mut bow = ArcPath {
             along,
             arch: square * (bulge * (ARCH_SHARE + ARCH_PER_M * bulge)),
         };
-        // Grow the bulge until the way is free; the rest is eased out on the way.
+        // The bulge grows until the path is clear; the path eases out the remaining penetration.
         for _ in 0..4 {
             let mut worst = DVec3::ZERO;
             for k in 1..12 {

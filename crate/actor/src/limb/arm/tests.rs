@@ -1,4 +1,4 @@
-//! Reach, angles and steadiness of arms over many targets.
+//! Reach, angles and continuity of arms over many targets.
 
 use super::*;
 use crate::kinematics::rotation_of;
@@ -44,7 +44,10 @@ fn ten_thousand_reachable_targets_are_met() {
             worst = worst.max(at.distance(wrist_in_world));
             assert!(s.reached, "{i} {}", s.error_m);
             for q in [s.scapula, s.shoulder, s.elbow, s.wrist] {
-                assert!(q.is_finite() && q.is_normalized());
+                assert!(
+                    q.is_finite() && q.is_normalized(),
+                    "the elbow rotation is finite and normalised"
+                );
             }
         }
     }
@@ -64,8 +67,11 @@ fn targets_out_of_reach_are_projected_and_reported() {
         };
         let s = rig.solve(&rig.world_from_thorax_zero(), &goal);
         let (at, _) = posed(&s, Side::Left);
-        assert!(!s.reached);
-        assert!((at.distance(goal.wrist_in_world) - s.error_m).abs() < 1e-9);
+        assert!(!s.reached, "a target out of reach is not reached");
+        assert!(
+            (at.distance(goal.wrist_in_world) - s.error_m).abs() < 1e-9,
+            "the reported error is the distance from the target"
+        );
     }
     let goal = ArmGoal {
         wrist_in_world: rig.shoulder_in_world(),
@@ -73,7 +79,10 @@ fn targets_out_of_reach_are_projected_and_reported() {
         shrug_rad: 0.0,
     };
     let s = rig.solve(&rig.world_from_thorax_zero(), &goal);
-    assert!(s.elbow.is_finite() && s.shoulder.is_finite());
+    assert!(
+        s.elbow.is_finite() && s.shoulder.is_finite(),
+        "both rotations are finite"
+    );
 }
 
 #[test]
@@ -105,7 +114,7 @@ fn comfortable_hand_rotations_are_met() {
             "{at} {normal}: {}",
             solution.hand_error_rad
         );
-        assert!(solution.reached);
+        assert!(solution.reached, "a comfortable hand rotation is reached");
     }
 }
 

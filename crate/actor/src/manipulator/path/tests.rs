@@ -1,4 +1,4 @@
-//! Functions of time: where they begin, that nothing jumps, and what they keep.
+//! Tests of the time functions: start values, continuity and preserved values.
 
 use super::*;
 
@@ -34,10 +34,16 @@ fn angles_and_rotations_convert_both_ways() {
         let r = |k| raconteur_base::noise::signed(5, k, i);
         let angles = [3.0 * r(0), 1.5 * r(1), 3.0 * r(2)];
         let q = rotation_from(angles);
-        assert!(rotation_from(angles_of(q)).angle_between(q) < 1e-7);
+        assert!(
+            rotation_from(angles_of(q)).angle_between(q) < 1e-7,
+            "the angles of a rotation round trip"
+        );
     }
     let down = rotation_from([0.4, core::f64::consts::FRAC_PI_2, 0.0]);
-    assert!(rotation_from(angles_of(down)).angle_between(down) < 1e-6);
+    assert!(
+        rotation_from(angles_of(down)).angle_between(down) < 1e-6,
+        "the angles at the pole round trip"
+    );
 }
 
 #[test]
@@ -45,15 +51,22 @@ fn open_ends_are_where_the_limb_is() {
     let mut segment = path(PathShape::Segment, false);
     segment.to.position[1] = Some(1.5);
     let curve = TimedPath::new(&segment, &NOW, true);
-    assert!(curve.sample(0.0).position.distance(NOW.position) < 1e-12);
+    assert!(
+        curve.sample(0.0).position.distance(NOW.position) < 1e-12,
+        "an open start begins at the limb"
+    );
     let middle = curve.sample(1.0).position;
-    assert!(middle.distance(DVec3::new(0.3, 1.3, 0.2)) < 1e-9);
+    assert!(
+        middle.distance(DVec3::new(0.3, 1.3, 0.2)) < 1e-9,
+        "the middle of the path"
+    );
     assert!(
         curve
             .sample(9.0)
             .position
             .distance(DVec3::new(0.3, 1.5, 0.2))
-            < 1e-9
+            < 1e-9,
+        "an open path stays at its last key"
     );
 }
 
@@ -91,14 +104,23 @@ fn nothing_jumps_not_even_where_a_loop_closes() {
     let paths = all.into_iter().map(|s| path(s, true)).chain([far]);
     for path in paths {
         let curve = TimedPath::new(&path, &NOW, false);
-        assert!(curve.sample(0.0).position.distance(NOW.position) < 1e-9);
+        assert!(
+            curve.sample(0.0).position.distance(NOW.position) < 1e-9,
+            "the path begins at the limb"
+        );
         let mut last = curve.sample(0.0);
         for i in 1..800 {
             let next = curve.sample(f64::from(i) * 0.01);
             let step = next.position.distance(last.position);
             assert!(step < 0.04, "{path:?} at {i}: {step}");
-            assert!(next.rotation.angle_between(last.rotation) < 0.1);
-            assert!(next.rotation.is_normalized());
+            assert!(
+                next.rotation.angle_between(last.rotation) < 0.1,
+                "the rotation does not jump between samples"
+            );
+            assert!(
+                next.rotation.is_normalized(),
+                "the sampled rotation is normalised"
+            );
             last = next;
         }
     }

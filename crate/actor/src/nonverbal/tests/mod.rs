@@ -1,4 +1,4 @@
-//! The effect of a plan over an hour of made-up speech and over the shipped stories.
+//! Tests of a plan over an hour of generated speech and over the shipped stories.
 
 mod rates;
 mod safe;

@@ -1,4 +1,4 @@
-//! Rates and probabilities as published, and what never happens.
+//! Published rates and probabilities, and invariants.
 
 use std::sync::Arc;
 
@@ -53,7 +53,7 @@ impl Counts {
         };
         let head = |i: usize| -plan.head(at(i), 1.0)[0];
         for i in 1..(end_secs * 100.0) as usize {
-            // Half of them do not go all the way.
+            // Half of the blinks do not close fully.
             let closes = |i: usize| plan.closure(at(i)) > 0.3;
             self.blinks += usize::from(closes(i) && !closes(i - 1));
             let licks = |i: usize| plan.lick(at(i)) > 0.9;
@@ -137,7 +137,10 @@ fn an_hour_of_speech_has_the_published_rates() {
         let mut counts = Counts::default();
         counts.add(&speech, &NonVerbal::new(&speech, 7, &manner), 7);
         println!("{way:?} {counts:?}");
-        assert!(counts.secs >= HOUR_SECS);
+        assert!(
+            counts.secs >= HOUR_SECS,
+            "at least one hour of speech is counted"
+        );
         check(&counts);
         // Moistened lips have no published rate; theirs is in the manner.
         let licks = counts.secs / counts.licks as f64;
@@ -147,7 +150,7 @@ fn an_hour_of_speech_has_the_published_rates() {
 
 #[test]
 fn a_quarter_of_the_thoughts_frown() {
-    // Some hundred thoughts an hour are too few to tell a tenth of a quarter.
+    // A few hundred thoughts per hour do not suffice to distinguish a tenth from a quarter.
     let mut counts = Counts::default();
     for seed in 0..20 {
         let speech = hour(seed);
@@ -251,7 +254,10 @@ fn nothing_jumps_and_the_head_is_raised_by_three_degrees_at_most() {
         for i in 1..(end_secs / STEP_SECS) as usize {
             let t = i as f64 * STEP_SECS;
             let now = all(t);
-            assert!(now[0].0 <= 0.0 && now[0].0 >= -HEAD_RAISE_RAD);
+            assert!(
+                now[0].0 <= 0.0 && now[0].0 >= -HEAD_RAISE_RAD,
+                "the head raise is at most three degrees"
+            );
             for (k, ((a, most), (b, _))) in before.iter().zip(&now).enumerate() {
                 let speed = (b - a).abs() / STEP_SECS;
                 assert!(
@@ -269,17 +275,29 @@ fn speakers_look_away_as_they_begin_and_at_the_listener_as_they_end_and_ask() {
     let speech = hour(6);
     let plan = NonVerbal::new(&speech, 9, &Manner::default());
     let heard = SpeechFeatures::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 9);
-    assert!(heard.turns.len() > 20 && heard.questions.len() > 20);
+    assert!(
+        heard.turns.len() > 20 && heard.questions.len() > 20,
+        "more than 20 turns and 20 questions are heard"
+    );
     for [start, _, end] in &heard.turns {
-        assert!(distance(&plan, start - 0.05) > 0.15);
+        assert!(
+            distance(&plan, start - 0.05) > 0.15,
+            "the gaze is averted before the turn starts"
+        );
         let head = plan.gaze(start + 0.2).head[0].abs();
         assert!(head > 0.01, "{head}");
-        assert!(is_at_listener(&plan, *end) && is_at_listener(&plan, end + 0.5));
+        assert!(
+            is_at_listener(&plan, *end) && is_at_listener(&plan, end + 0.5),
+            "the gaze is on the listener at the end of the turn"
+        );
     }
     for question in &heard.questions {
         let length_secs = question.end_secs - question.start_secs;
         let at = |share: f64| question.start_secs + 0.1 + share * (length_secs - 0.11);
-        assert!((0..=20).all(|i| is_at_listener(&plan, at(f64::from(i) * 0.05))));
+        assert!(
+            (0..=20).all(|i| is_at_listener(&plan, at(f64::from(i) * 0.05))),
+            "the gaze stays on the listener during the question"
+        );
         // Over the last word and the pause behind it.
         let late = question.end_secs - 0.02;
         assert!(plan.head(late, 1.0)[0] < -0.015, "{late}");
@@ -319,7 +337,10 @@ fn only_the_left_brow_follows_the_pitch() {
         let most = v.iter().copied().fold(0.0, f64::max);
         most - v.iter().copied().fold(most, f64::min)
     };
-    assert!(tops[0].len() > 1000);
+    assert!(
+        tops[0].len() > 1000,
+        "more than 1000 brow raises are compared"
+    );
     assert!(
         spread(&tops[0]) > 0.2 && spread(&tops[1]) < 0.02,
         "{}",
@@ -355,7 +376,10 @@ fn speech_of_which_little_is_known_is_accompanied_too() {
         }
         let minutes = end_secs / 60.0;
         println!("{f0} {accents}: {raises} raises, {returns} glances in {minutes} minutes");
-        assert!(raises as f64 > 12.0 * minutes && returns as f64 > 8.0 * minutes);
+        assert!(
+            raises as f64 > 12.0 * minutes && returns as f64 > 8.0 * minutes,
+            "raises and returns per minute"
+        );
     }
 }
 

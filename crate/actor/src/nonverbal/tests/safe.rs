@@ -1,4 +1,4 @@
-//! Seeds, and speech that cannot be.
+//! Seeds and impossible speech.
 
 use std::sync::Arc;
 
@@ -35,7 +35,10 @@ fn a_seed_gives_one_plan_and_another_seed_another() {
     let of = |plan: &NonVerbal, t: f64| all(plan, t);
     let backwards: Vec<Vec<f64>> = times.iter().rev().map(|t| of(&b, *t)).collect();
     let forwards: Vec<Vec<f64>> = times.iter().map(|t| of(&a, *t)).collect();
-    assert!(forwards.iter().eq(backwards.iter().rev()));
+    assert!(
+        forwards.iter().eq(backwards.iter().rev()),
+        "the samples do not depend on the sampling order"
+    );
     let changed = times.iter().filter(|t| of(&a, **t) != of(&c, **t)).count();
     assert!(changed > 3000, "{changed}");
 }
@@ -172,7 +175,10 @@ fn impossible_speech_is_survived() {
                     assert!(now.iter().all(|x| x.abs() < 3.0), "{now:?}");
                 }
                 for t in [1e9, -1e9, 1e18] {
-                    assert!(all(&plan, t).iter().all(|x| x.is_finite()));
+                    assert!(
+                        all(&plan, t).iter().all(|x| x.is_finite()),
+                        "all sampled values are finite"
+                    );
                 }
             }
         }
@@ -200,9 +206,12 @@ fn a_long_plan_is_as_small_as_its_speech() {
         utterance: Arc::new(u),
     };
     let plan = NonVerbal::new(&[u], 1, &Manner::default());
-    assert!((0..1000).all(|i| {
-        all(&plan, f64::from(i) * 17e3)
-            .iter()
-            .all(|x| x.is_finite())
-    }));
+    assert!(
+        (0..1000).all(|i| {
+            all(&plan, f64::from(i) * 17e3)
+                .iter()
+                .all(|x| x.is_finite())
+        }),
+        "all sampled values of the long plan are finite"
+    );
 }

@@ -1,4 +1,4 @@
-//! Speech for tests: made up, and that of the shipped stories.
+//! Speech for tests: generated, and that of the shipped stories.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -62,7 +62,7 @@ impl Maker {
     }
 
     fn phone(&mut self, symbol: &str, secs: f64, word: Option<usize>) {
-        // Bundles tell times in milliseconds.
+        // Bundles specify times in milliseconds.
         let end_secs = ((self.now_secs + secs) * 1000.0).round() / 1000.0;
         let phone = Phone::new(symbol, self.now_secs, end_secs, word);
         self.u.phones.push(phone);

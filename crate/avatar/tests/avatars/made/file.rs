@@ -1,4 +1,4 @@
-//! A glTF file as it grows: JSON beside its buffer.
+//! Builder of a glTF file: JSON and its buffer.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use raconteur_base::DVec3;

@@ -1,4 +1,4 @@
-//! How dialects name the parts of a body.
+//! Names of body parts in each dialect.
 
 use super::Dialect;
 

@@ -1,5 +1,5 @@
-//! Checked access to the numbers of a glTF binary: nothing here trusts a length, an
-//! offset or an index of the file.
+//! Checked access to the numbers of a glTF binary: no length, offset or index of the file is
+//! trusted.
 
 use std::borrow::Cow;
 

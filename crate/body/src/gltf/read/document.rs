@@ -1,11 +1,11 @@
-//! The parts of a glTF document that make a figure, taken from its JSON.
+//! Figure parts of a glTF document, read from its JSON.
 //!
-//! The `gltf` crate reads the same files in the tests, and not here, for what was measured: its typed
-//! JSON weighs 70 KB (gzip) of what a page downloads, more than the budget of the WebGL2 build leaves;
-//! it keeps the placement of nodes in single precision, which moves every joint by up to 3e-8 m; it
-//! refuses avatars whose exporters write `null` for absent members; and its container reader computes
-//! with a claimed length before it checks it. Fields of a wrong type count as absent; what must be there
-//! the reader needs.
+//! The tests read the same files with the `gltf` crate. It is not used here, according to
+//! measurements: its typed JSON adds 70 KB (gzip) to a page's download, more than the remaining
+//! budget of the WebGL2 build; it stores node transforms in single precision, which moves every
+//! joint by up to 3e-8 m; it rejects avatars whose exporters write `null` for absent members; and
+//! its container reader computes with a claimed length before checking it. Fields of a wrong type
+//! count as absent; the reader checks required fields.
 
 use serde_json::Value;
 

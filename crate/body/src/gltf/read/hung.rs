@@ -1,4 +1,4 @@
-//! Chains that swing, hung on the skeleton of a figure.
+//! Swinging chains attached to the skeleton of a figure.
 
 use raconteur_base::DAffine3;
 

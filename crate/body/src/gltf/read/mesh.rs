@@ -1,4 +1,4 @@
-//! Meshes: vertices, triangles and morphs, and the joints that carry them.
+//! Meshes: vertices, triangles, morph targets and joint weights.
 
 use raconteur_base::{DAffine3, DMat4, DVec3};
 
@@ -228,7 +228,7 @@ fn read_morphs(
             continue;
         };
         let (vertices, deltas) = source.nonzero(positions, count, "a morph target")?;
-        // Places are ascending, as glTF asks and the source has checked.
+        // The indices are ascending, as glTF requires and the accessor has checked.
         let (places, normals) = match target.normals {
             Some(a) => source.nonzero(a, count, "a morph's normals")?,
             None => Default::default(),

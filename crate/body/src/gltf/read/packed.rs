@@ -1,6 +1,6 @@
-//! Views that `EXT_meshopt_compression` has compressed, without filters: those lose precision,
-//! our files have none, and players would carry 3 KB for them. The decoder allocates only what a
-//! stream is long enough to hold, and refuses bytes that are no stream.
+//! Views compressed by `EXT_meshopt_compression`, without filters: filters lose precision,
+//! generated files have none, and they would add 3 KB to players. The decoder allocates only as
+//! much as a stream can contain, and rejects invalid streams.
 
 use meshoptimizer_rs::Workspace;
 use meshoptimizer_rs::codec::{
@@ -29,7 +29,7 @@ impl CompressedView {
     pub(super) fn from_json(view: &Value) -> Option<Self> {
         let stream = view["extensions"].get(EXTENSION)?;
         let number = |key: &str| stream[key].as_u64().and_then(|n| usize::try_from(n).ok());
-        // What must be there and is not leads nowhere.
+        // A missing required field becomes an out-of-range value.
         let needed = |key: &str| number(key).unwrap_or(usize::MAX);
         let unfiltered = stream["filter"].as_str().is_none_or(|f| f == "NONE");
         let mode = stream["mode"].as_str().filter(|_| unfiltered);

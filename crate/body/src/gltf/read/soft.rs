@@ -1,5 +1,5 @@
-//! The tissue of a face, and how meshes follow it: from three accessors that a mesh's extras
-//! name, nodes and weights, row by row, and how many belong to each vertex.
+//! Tissue of a face and its mesh bindings, read from three accessors named by a mesh's extras:
+//! nodes and weights, row by row, and their number for each vertex.
 
 use super::accessor::Source;
 use super::document::Mesh;

@@ -1,6 +1,6 @@
-//! How a mesh follows the tissue of its face, as three accessors: for each vertex how many
-//! nodes it follows (0: none), and row by row the nodes and their weights in 255ths. No
-//! vertex attribute and no extension, so that other readers take the file as before.
+//! Mesh bindings to the tissue of a face, as three accessors: the number of nodes for each vertex
+//! (0: none), and row by row the nodes and their weights in 255ths. Without vertex attributes and
+//! extensions, other readers accept the file unchanged.
 
 use serde_json::{Value, json};
 
@@ -26,8 +26,8 @@ pub(super) fn write(buffer: &mut Buffer, binding: &Binding, count: usize) -> Val
         heavy.sort_by(|a, b| b.1.total_cmp(&a.1));
         heavy.truncate(255);
         let quantised = row_in_255ths(&heavy);
-        // Those of no weight are left out; but one stays, for a bound vertex does not follow
-        // the jaw.
+        // Nodes with zero weight are omitted, but one remains, because a bound vertex does not
+        // follow the jaw.
         let kept = quantised.iter().filter(|w| **w > 0).count().max(1);
         counts[vertex as usize] = kept as u8;
         for ((node, _), weight) in heavy.iter().zip(quantised).take(kept) {
@@ -85,12 +85,15 @@ mod tests {
         assert_eq!(row(&[1.0 / 3.0; 3]), [85; 3]);
         let seventh = row(&[1.0 / 7.0; 7]);
         assert_eq!(sum(&seventh), 255);
-        assert!(seventh.iter().all(|w| (36..=37).contains(w)));
+        assert!(
+            seventh.iter().all(|w| (36..=37).contains(w)),
+            "the seven weights are 36 or 37 each"
+        );
         // Half a row stays half.
         assert_eq!(sum(&row(&[0.3, 0.2])), 128);
         let many = row(&[0.5, 0.2, 0.1, 0.1, 0.0951, 0.003, 0.0019]);
         assert_eq!(sum(&many), 255);
         assert!(many.is_sorted_by(|a, b| a >= b), "{many:?}");
-        assert!(row(&[]).is_empty());
+        assert!(row(&[]).is_empty(), "an empty row stays empty");
     }
 }

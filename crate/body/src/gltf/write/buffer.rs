@@ -1,5 +1,4 @@
-//! The binary chunk of a figure's file while it grows, with the views and accessors of its
-//! JSON.
+//! Builder of the binary chunk of a figure's file, with the views and accessors of its JSON.
 
 use serde_json::{Map, Value, json};
 
@@ -244,7 +243,8 @@ impl Buffer {
             "sparse": sparse(delta_view),
         }));
         bounds(&mut self.accessors[position], &with_zero);
-        // The targets of a mesh have the same attributes, so all of them turn normals or none.
+        // The morph targets of a mesh have the same attributes, so either all of them have normals
+        // or none.
         let turns = |m: &Morph| m.normal_deltas.iter().flatten().any(|x| *x != 0.0);
         if !mesh.morphs.iter().any(turns) {
             return json!({ "POSITION": position });

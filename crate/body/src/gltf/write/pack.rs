@@ -1,6 +1,6 @@
-//! Compression of a figure's buffer as `EXT_meshopt_compression` has it: each view is a stream
-//! of its own, without loss. The decoded views would lie in a second buffer, which the
-//! extension calls the fallback and which is in no file.
+//! Compression of a figure's buffer by `EXT_meshopt_compression`: each view is a separate, lossless
+//! stream. The decoded views belong to a second buffer, the fallback buffer of the extension, which
+//! no file contains.
 
 use meshoptimizer_rs::codec::{
     IndexEncoding, VertexEncoding, encode_index_buffer, encode_index_sequence, encode_vertex_buffer,
@@ -31,7 +31,7 @@ impl Packing {
     fn stream(self, bytes: &[u8]) -> Result<Vec<u8>, Error> {
         let mut workspace = Workspace::default();
         match self {
-            // The extension has the first version of this codec alone.
+            // The extension supports only the first version of this codec.
             Self::Attributes { stride } => encode_vertex_buffer(
                 bytes,
                 bytes.len() / stride,

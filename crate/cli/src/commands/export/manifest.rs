@@ -1,4 +1,4 @@
-//! The manifests of packages: what a package has, and what a system opens.
+//! Package manifests: the content of a package, and the page that a system opens.
 
 use std::fmt::Write as _;
 
@@ -60,7 +60,7 @@ fn cmi5(about: &About) -> String {
     let [iri, title, language] =
         [&about.iri, &about.title, &about.language].map(|t| escape(t.as_str()));
     let unit = |lesson: &Lesson| {
-        // Of the units of a course none may be called as the course is.
+        // No unit of a course may have the identifier of the course.
         let part = if lesson.iri == about.iri {
             "#story"
         } else {
@@ -160,7 +160,7 @@ fn scorm(about: &About, paths: &[String]) -> String {
     let mut items = String::new();
     let mut resources = String::new();
     for (place, lesson) in about.lessons.iter().enumerate() {
-        // Names of a course of one part are older than those of others.
+        // File names of single-part courses predate those of multi-part courses.
         let number = if several {
             format!("-{}", place + 1)
         } else {
@@ -318,7 +318,10 @@ mod tests {
                 assert_eq!(text.matches(&format!("<file href=\"{path}\"")).count(), 1);
             }
             let common = &text[text.find("identifier=\"common\"").unwrap()..];
-            assert!(common.contains("player/x.js") && !common.contains("story-1"));
+            assert!(
+                common.contains("player/x.js") && !common.contains("story-1"),
+                "shared files exclude the lessons"
+            );
             assert_eq!(
                 text.contains("controlMode"),
                 standard == Standard::Scorm2004
@@ -328,7 +331,8 @@ mod tests {
         assert_xml(&text);
         assert!(
             text.contains("<au id=\"urn:a/lessons/one\"")
-                && text.contains("<url>lesson-2.html</url>")
+                && text.contains("<url>lesson-2.html</url>"),
+            "the manifest lists each lesson and its page"
         );
         let (_, text) = manifest(&several(Standard::Xapi), &[]).unwrap();
         assert_xml(&text);
@@ -348,7 +352,10 @@ mod tests {
             }
         }
         assert_eq!(open, 0);
-        assert!(text.contains("Rock &amp; &lt;Roll&gt;"));
+        assert!(
+            text.contains("Rock &amp; &lt;Roll&gt;"),
+            "the manifest escapes the title"
+        );
     }
 
     #[test]
@@ -364,7 +371,10 @@ mod tests {
             let (name, text) = manifest(&about(standard), &paths).unwrap();
             assert_eq!(name, "imsmanifest.xml");
             assert_xml(&text);
-            assert!(text.contains(&format!("<schemaversion>{version}</schemaversion>")));
+            assert!(
+                text.contains(&format!("<schemaversion>{version}</schemaversion>")),
+                "the manifest declares its schema version"
+            );
             assert!(
                 text.contains("href=\"story/two%20words%20&amp;%20%C3%A9.eml\""),
                 "{text}"
@@ -380,7 +390,8 @@ mod tests {
             assert_xml(&text);
             assert!(
                 text.contains("id=\"https://a.example/?a=1&amp;b=2\"")
-                    && text.contains(">index.html<")
+                    && text.contains(">index.html<"),
+                "the manifest names the course and its page"
             );
         }
         assert_eq!(manifest(&about(Standard::Html), &[]), None);
@@ -389,6 +400,9 @@ mod tests {
             ..about(Standard::Cmi5)
         };
         let (_, text) = manifest(&passed, &[]).unwrap();
-        assert!(text.contains("moveOn=\"CompletedAndPassed\" masteryScore=\"0.8\""));
+        assert!(
+            text.contains("moveOn=\"CompletedAndPassed\" masteryScore=\"0.8\""),
+            "the manifest sets the mastery score"
+        );
     }
 }

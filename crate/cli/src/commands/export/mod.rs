@@ -1,4 +1,4 @@
-//! `raconteur export`: a story as one file that a learning management system, or any server, takes.
+//! `raconteur export`: a story as one file for a learning management system or any server.
 
 mod manifest;
 mod page;
@@ -336,7 +336,10 @@ mod tests {
                 "{name}"
             );
         }
-        assert!(names[4].starts_with("1-") && names[6].starts_with("fr-sche-"));
+        assert!(
+            names[4].starts_with("1-") && names[6].starts_with("fr-sche-"),
+            "non-Latin titles have a fallback file name"
+        );
     }
 
     fn lesson(title: &str) -> Lesson {
@@ -367,7 +370,10 @@ mod tests {
 
     #[test]
     fn figures_are_of_the_library() {
-        assert!(parse_figure("papous").is_ok());
+        assert!(
+            parse_figure("papous").is_ok(),
+            "a library figure is accepted"
+        );
         for bad in ["", "a.glb", "../papous", "a\\b"] {
             assert!(parse_figure(bad).is_err(), "{bad}");
         }

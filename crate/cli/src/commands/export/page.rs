@@ -1,4 +1,4 @@
-//! The page of a course: the player, and its title.
+//! Page of a course: the player and its title.
 
 use quick_xml::escape::escape;
 
@@ -80,7 +80,7 @@ fn page(about: &About, lesson: &Lesson) -> String {
 "#,
         record = about.standard.record(),
         watched = about.watched,
-        // The launch says where the store is.
+        // The launch parameters specify the store.
         store = if about.standard.has_store() {
             " https: http:"
         } else {
@@ -168,18 +168,27 @@ mod tests {
         assert_eq!(list.matches("<script").count(), 1);
         assert!(!list.contains("\" onload"), "{list}");
         assert_eq!(list.matches("<li ").count(), 2);
-        assert!(pages[0].1.contains("<nav><a href=\"index.html\">"));
+        assert!(
+            pages[0].1.contains("<nav><a href=\"index.html\">"),
+            "the page links to the list of lessons"
+        );
         let scorm = About {
             standard: Standard::Scorm12,
             ..hostile(2)
         };
-        assert!(files(&scorm).iter().all(|(name, _)| name != "index.html"));
+        assert!(
+            files(&scorm).iter().all(|(name, _)| name != "index.html"),
+            "a SCORM package has no list of lessons"
+        );
     }
 
     #[test]
     fn what_an_author_writes_is_text() {
         let page = &files(&hostile(1))[0].1;
-        assert!(page.contains(" data-pass=\"0.5\">"));
+        assert!(
+            page.contains(" data-pass=\"0.5\">"),
+            "the page has the required pass ratio"
+        );
         assert_eq!(page.matches("<script").count(), 1);
         assert!(
             !page.contains("<b>") && !page.contains("\" onload"),

@@ -1,4 +1,4 @@
-//! What goes into the package, by its path there.
+//! Package contents by their path in the package.
 
 use std::collections::BTreeMap;
 use std::io::{Cursor, Write as _};
@@ -105,7 +105,7 @@ impl Parts {
         let document = raconteur_eml::parse(&files.text).document;
         own.extend(document.pictures().map(|(path, _)| path.to_owned()));
         for path in own {
-            // What is not there was told as a problem of the story.
+            // Missing files are already reported as problems of the story.
             if let Some(bytes) = read_from(folder, &path)? {
                 self.add(&format!("{to}/{path}"), bytes);
             }

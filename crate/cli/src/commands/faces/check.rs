@@ -77,10 +77,11 @@ impl Check {
                 let eye = |i: usize| face.organs.as_chunks::<3>().0.get(i);
                 let found = model.landmarks.iter().find(|(known, _)| known == name);
                 let p = match name {
-                    // Who looks straight ahead has the pupils before the middles of the eyes.
+                    // When a person looks straight ahead, the pupils are in front of the centres of
+                    // the eyes.
                     "p_l" => eye(0),
                     "p_r" => eye(1),
-                    // Where a skull is broadest differs from head to head.
+                    // The broadest point of a skull differs between heads.
                     "eu_l" | "eu_r" => broadest(model, places, name == "eu_l"),
                     _ => places.get(found?.1 as usize),
                 };

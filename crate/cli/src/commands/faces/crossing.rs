@@ -1,4 +1,4 @@
-//! Whether skin of faces passes through skin.
+//! Detection of self-intersecting skin in faces.
 
 use std::collections::BTreeMap;
 use std::io::Write as _;

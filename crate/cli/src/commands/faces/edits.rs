@@ -1,4 +1,4 @@
-//! Edits of a face, as options of a command.
+//! Face edits as options of a command.
 
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
@@ -204,6 +204,9 @@ mod tests {
         for wrong in ["", "1,2", "1,2,3,4", "1,2,x", "1,2,inf", "1,2,NaN"] {
             assert!(three(wrong).is_err(), "{wrong}");
         }
-        assert!(number("NaN").is_err() && number("1e3").is_ok());
+        assert!(
+            number("NaN").is_err() && number("1e3").is_ok(),
+            "NaN is rejected and an exponent is accepted"
+        );
     }
 }

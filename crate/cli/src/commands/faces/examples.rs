@@ -1,4 +1,4 @@
-//! `raconteur faces examples`, and the making of examples for the other commands.
+//! `raconteur faces examples`, and the generation of examples for the other commands.
 
 use std::io::Write as _;
 use std::path::PathBuf;

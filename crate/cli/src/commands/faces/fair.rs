@@ -1,5 +1,5 @@
-//! Fair noses. Heads are brought to the population's measures by pulls at single places, which leave a sharp ridge on
-//! the bridge of the nose and a nick at its root that nobody has.
+//! Fairing of noses. Heads are fitted to the population's measures by pulls at single points, which
+//! leave a sharp ridge on the bridge of the nose and a notch at its root that no real nose has.
 
 use anyhow::{Context as _, Result};
 use raconteur_faces::{SoftMask, VertexNeighbours};

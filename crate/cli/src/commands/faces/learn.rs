@@ -7,8 +7,8 @@ use anyhow::{Context as _, Result, ensure};
 use clap::Args;
 use raconteur_base::Side;
 use raconteur_faces::{
-    AgeModel, Attribute, Editor, FaceModel, FaceSpace, FeatureMeasure, Follower, Half, LookNumber,
-    NamedAttribute, PersonRecord, Segment, Segments, TextureModel,
+    AgeModel, Attribute, DependentNumbers, Editor, FaceModel, FaceSpace, FeatureMeasure, Half,
+    LookNumber, NamedAttribute, PersonRecord, Segment, Segments, TextureModel,
 };
 use raconteur_sculpt::examples::{Example, Examples};
 use raconteur_sculpt::head::{FIELDS, HeadSegment, known_measures};
@@ -227,7 +227,7 @@ fn look_weights(examples: &[Example]) -> Vec<f64> {
         examples.iter().map(square).sum::<f64>() / count
     };
     let length = examples.first().map_or(0, |e| e.tone.len());
-    // Every so many colours tell enough of all.
+    // Every thirtieth colour suffices for all statistics.
     const STEP: usize = 30;
     let colours: f64 = (0..length)
         .step_by(STEP)
@@ -282,7 +282,10 @@ fn attributes(
 
 fn shape_model(shape: FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> Result<FaceModel> {
     let own = coefficients(&shape, shapes)?;
-    let cages: Vec<Vec<f64>> = examples.iter().map(|e| e.draft.bound.numbers()).collect();
+    let cages: Vec<Vec<f64>> = examples
+        .iter()
+        .map(|e| e.draft.bound.flat_coordinates_mm())
+        .collect();
     let organs: Vec<Vec<f64>> = examples.iter().map(|e| e.organs.numbers()).collect();
     let first = examples.first().context("a head")?;
     let segment = |of: &HeadSegment| Segment {
@@ -308,8 +311,8 @@ fn shape_model(shape: FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
         landmarks: first.landmarks.clone(),
         segments: Segments::new(segments, shape.length() / 3)
             .context("segments of another head")?,
-        cage: Follower::learn(&shape, &own, &cages),
-        organs: Follower::learn(&shape, &own, &organs),
+        cage: DependentNumbers::learn(&shape, &own, &cages),
+        organs: DependentNumbers::learn(&shape, &own, &organs),
         attributes,
         life: AgeModel::learn(&people, &own),
         people,

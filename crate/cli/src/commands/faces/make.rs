@@ -78,7 +78,7 @@ pub(super) fn built_params(editor: &Editor, face: &Face, like: &str) -> Result<F
     let params = FigureParams {
         head: HeadParams {
             bound,
-            // The face brings its own.
+            // The face has its own asymmetry.
             asymmetry: 1.0,
             ..like.head
         },

@@ -1,4 +1,4 @@
-//! Packs of faces on disk.
+//! Face packs on disk.
 
 use std::path::{Path, PathBuf};
 

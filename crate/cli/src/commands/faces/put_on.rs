@@ -4,7 +4,7 @@ use anyhow::{Context as _, Result};
 use raconteur_body::Figure;
 use raconteur_body::read::read_figure;
 use raconteur_faces::{Editor, Face, FaceModel};
-use raconteur_reshape::{Hair, HairDonor, Lenders, Look, NewFace, NewOrgans, Reshaper};
+use raconteur_reshape::{Hair, HairDonor, HairDonors, Look, NewFace, NewOrgans, Reshaper};
 
 use crate::assets;
 
@@ -12,7 +12,7 @@ use crate::assets;
 pub(super) struct PutOn {
     reshaper: Reshaper,
     name: String,
-    lenders: Lenders,
+    lenders: HairDonors,
 }
 
 impl PutOn {
@@ -21,7 +21,7 @@ impl PutOn {
         Ok(Self {
             reshaper: Reshaper::new(figure, model.vertices())?,
             name,
-            lenders: Lenders::new(),
+            lenders: HairDonors::new(),
         })
     }
 

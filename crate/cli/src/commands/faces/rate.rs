@@ -1,4 +1,4 @@
-//! `raconteur faces rate`: attributes that are impressions, learned from people's ratings (F&H 3.2.2).
+//! `raconteur faces rate`: attributes for impressions, learned from people's ratings (F&H 3.2.2).
 
 mod learn;
 #[cfg(test)]

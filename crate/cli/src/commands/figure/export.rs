@@ -163,6 +163,6 @@ mod tests {
         assert_eq!(word(12) % 4, 0);
         let json: Value = serde_json::from_slice(&out[20..20 + word(12)]).unwrap();
         assert_eq!(json, json!({"a": 1, "b": "longer than before"}));
-        assert!(out.ends_with(b"BIN\0wxyz"));
+        assert!(out.ends_with(b"BIN\0wxyz"), "the binary chunk is unchanged");
     }
 }

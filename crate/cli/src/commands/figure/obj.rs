@@ -1,4 +1,4 @@
-//! Wavefront OBJ: what every modelling program reads.
+//! Wavefront OBJ, readable by every modelling program.
 
 use std::fmt::Write as _;
 

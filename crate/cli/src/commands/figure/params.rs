@@ -1,4 +1,4 @@
-//! Descriptions of figures: a figure of the library, changed where a JSON file says so.
+//! Figure descriptions: a figure of the library with changes from a JSON file.
 
 use std::io::Write as _;
 use std::path::Path;
@@ -174,9 +174,15 @@ mod tests {
         assert_eq!(params.person.age_years, 60.0);
         assert_eq!(params.hands().age_years, 60.0);
         let as_long = |p: &FigureParams| p.hands().length_m;
-        assert!(as_long(&params) < as_long(&preset("sofia").unwrap()));
+        assert!(
+            as_long(&params) < as_long(&preset("sofia").unwrap()),
+            "the arm is shorter than that of the adult"
+        );
         let own = r#"{"person": {"stature_m": 1.6}, "hand": {"length": 1.1}}"#;
-        assert!(as_long(&parse(own).unwrap()) > 1.05 * as_long(&params));
+        assert!(
+            as_long(&parse(own).unwrap()) > 1.05 * as_long(&params),
+            "the given proportion takes precedence"
+        );
     }
 
     #[test]

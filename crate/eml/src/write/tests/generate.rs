@@ -442,6 +442,6 @@ impl Visit for Filler<'_> {
                 have += 1;
             }
         }
-        assert!(have < 100);
+        assert!(have < 100, "the generator adds fewer than 100 children");
     }
 }

@@ -87,7 +87,7 @@ impl Player {
     }
 
     /// Returns the targets of the hands at a time, and their errors.
-    pub fn manipulators(&mut self, time_secs: f64) -> [Manipulator; 2] {
+    pub fn hand_targets(&mut self, time_secs: f64) -> [Manipulator; 2] {
         // A figure that waits is shown elsewhere than the story has it.
         let shown = self.frame.clone();
         let report = self.evaluate(time_secs);

@@ -50,7 +50,7 @@ const FACING: f64 = 0.35;
 
 /// Result of the registration.
 #[derive(Clone, Debug)]
-pub struct Registration {
+pub struct HeadRegistration {
     /// As `head/binding.tsv` has it.
     pub table: String,
     /// Number of cage vertices with a match, on both halves.
@@ -113,7 +113,7 @@ fn is_given(key: Key) -> bool {
 ///
 /// # Errors
 /// When the model lacks a target.
-pub fn register(model: &Model) -> Result<Registration, ModelError> {
+pub fn register(model: &Model) -> Result<HeadRegistration, ModelError> {
     let shape = model.shape(&mean_traits())?;
     let binding = Binding::new(model.faces());
     let theirs = ModelHead::new(model, &binding, &shape);
@@ -155,7 +155,7 @@ pub fn register(model: &Model) -> Result<Registration, ModelError> {
         (sum, most, count) = (sum + way, most.max(way), count + 1);
         found.insert((key, side), theirs.place(&place));
     }
-    Ok(Registration {
+    Ok(HeadRegistration {
         table: rewritten(&found),
         found: found.len(),
         kept,

@@ -80,7 +80,10 @@ fn hairs_of_brows_lie_on_the_skin() {
 fn hairs_are_fine_and_pointed_and_brows_follow_the_tissue() {
     for part in hair_parts(&head("papous")) {
         let is_brow = part.name.starts_with("brow");
-        assert!(!is_brow || part.bound.len() == part.vertices.len());
+        assert!(
+            !is_brow || part.bound.len() == part.vertices.len(),
+            "every vertex of the brow is bound to tissue"
+        );
         for v in &part.vertices {
             let aside_mm = 2.0 * REACH_MM * (v.uv[0] - 0.5).abs();
             assert!(aside_mm < 0.25, "{}: {aside_mm}", part.name);
@@ -115,9 +118,15 @@ fn lower_lashes_are_two_fifths_of_the_upper() {
     assert!((count - 0.4).abs() < 0.02, "{count}");
     assert!((length - 0.4).abs() < 0.06, "{length}");
     let widest = |row: &[Strand]| row.iter().map(|l| l.half_width).fold(0.0, f64::max);
-    assert!(widest(&lower) < 0.8 * widest(&upper));
+    assert!(
+        widest(&lower) < 0.8 * widest(&upper),
+        "the lower lashes are narrower"
+    );
     let darkest = |row: &[Strand]| row.iter().map(|l| l.cover).fold(0.0, f64::max);
-    assert!(darkest(&lower) < darkest(&upper));
+    assert!(
+        darkest(&lower) < darkest(&upper),
+        "the lower lashes are lighter"
+    );
 }
 
 #[test]

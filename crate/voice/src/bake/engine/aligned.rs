@@ -291,7 +291,8 @@ mod tests {
                 &["a", "b", "c", "d", "e"],
                 "sampa"
             )
-            .is_err()
+            .is_err(),
+            "words that do not match the alignment are rejected"
         );
     }
 
@@ -318,7 +319,10 @@ mod tests {
         let arpabet = grid(["Y", "UW1", "", "R", "EY1", "Z"]);
         let ipa = grid(["j", "ʉː", "", "ɹ", "ej", "z"]);
         assert_eq!(rows(&ipa), rows(&arpabet));
-        assert!(unknown_phones(&ipa, "radio").is_empty());
+        assert!(
+            unknown_phones(&ipa, "radio").is_empty(),
+            "all IPA phones exist in the radio set"
+        );
         let odd = grid(["j", "ʉː", "n", "ɹ", "ej", "ʘ"]);
         assert_eq!(unknown_phones(&odd, "radio"), ["ʘ"]);
         let other = grid(["Y", "UW1", "spn", "R", "EY1", "spn"]);
@@ -356,7 +360,10 @@ mod tests {
         ] {
             assert!(tokens_of(&words(right), &text).is_ok(), "{right:?}");
         }
-        assert!(tokens_of(&words(&["25"]), &["twenty", "five"]).is_ok());
+        assert!(
+            tokens_of(&words(&["25"]), &["twenty", "five"]).is_ok(),
+            "the words of the same text are accepted"
+        );
     }
 
     #[test]

@@ -337,7 +337,10 @@ mod tests {
         ] {
             assert!(read(bad).is_err(), "{bad}");
         }
-        assert!(read("loading voice\n").unwrap().is_empty());
+        assert!(
+            read("loading voice\n").unwrap().is_empty(),
+            "a log without phones has no segments"
+        );
     }
 
     #[test]

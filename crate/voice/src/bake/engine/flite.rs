@@ -367,9 +367,18 @@ mod tests {
 
     #[test]
     fn times_that_cannot_be_read_are_errors() {
-        assert!(timed_phones("pau").is_err());
-        assert!(timed_phones("pau:x").is_err());
-        assert!(timed_phones("\n").unwrap().is_empty());
+        assert!(
+            timed_phones("pau").is_err(),
+            "a phone without a time is rejected"
+        );
+        assert!(
+            timed_phones("pau:x").is_err(),
+            "an unreadable time is rejected"
+        );
+        assert!(
+            timed_phones("\n").unwrap().is_empty(),
+            "an empty line has no phones"
+        );
     }
 
     #[test]

@@ -270,9 +270,15 @@ mod tests {
             labels(&[("m", 0.2, Some(0), None), ("a", 0.1, Some(0), None)]),
             labels(&[("m", 0.6, Some(0), None)]),
         ] {
-            assert!(finish(&bad, sound(0.3), "radio", 0.0).is_err());
+            assert!(
+                finish(&bad, sound(0.3), "radio", 0.0).is_err(),
+                "impossible times are rejected"
+            );
         }
-        assert!(finish(&Labels::default(), sound(0.0), "radio", 0.0).is_err());
+        assert!(
+            finish(&Labels::default(), sound(0.0), "radio", 0.0).is_err(),
+            "empty labels are rejected"
+        );
         let empty = finish(&Labels::default(), sound(0.3), "radio", 0.0).unwrap();
         assert_eq!(told(&empty), [("pau", 300, None)]);
     }

@@ -317,8 +317,14 @@ mod tests {
             if at.is_silent() { 0.0 } else { jaw(&at.symbol) }
         };
         assert_eq!([level(0.05), level(0.9)], [0.0; 2]);
-        assert!(level(0.3) > level(0.5) && level(0.7) > level(0.5) && level(0.5) > 0.0);
-        assert!(level(1.3) > level(1.5));
+        assert!(
+            level(0.3) > level(0.5) && level(0.7) > level(0.5) && level(0.5) > 0.0,
+            "the jaw opens more at both loud times"
+        );
+        assert!(
+            level(1.3) > level(1.5),
+            "the jaw closes with the falling intensity"
+        );
         assert_eq!(spoken.syllables.len(), 5);
         let accents = spoken.syllables.iter().filter(|s| s.accent == "*").count();
         assert!((2..=3).contains(&accents), "{accents}");
@@ -346,9 +352,10 @@ mod tests {
         for token in 0..tokens.len() {
             assert!(length(token) > 0.02, "{token}: {} s", length(token));
         }
-        assert!(length(2) > length(3));
+        assert!(length(2) > length(3), "the longer word lasts longer");
         assert!(
-            spoken.segments.is_sorted_by_key(|s| s.token.unwrap_or(0)) || spoken.breaks.len() == 1
+            spoken.segments.is_sorted_by_key(|s| s.token.unwrap_or(0)) || spoken.breaks.len() == 1,
+            "the tokens of the segments are sorted"
         );
         assert_eq!(spoken.breaks, [(1, String::new())], "no pause is in a word");
     }
@@ -367,8 +374,17 @@ mod tests {
 
     #[test]
     fn nothing_heard_is_an_error_and_no_words_are_none() {
-        assert!(align_by_loudness(hummed(&[0.0, 0.0]), &spoken_words(&["a"])).is_err());
-        assert!(align_by_loudness(Wave::default(), &spoken_words(&["a"])).is_err());
-        assert!(align_by_loudness(hummed(&[0.5]), &[]).is_ok());
+        assert!(
+            align_by_loudness(hummed(&[0.0, 0.0]), &spoken_words(&["a"])).is_err(),
+            "silence cannot be aligned"
+        );
+        assert!(
+            align_by_loudness(Wave::default(), &spoken_words(&["a"])).is_err(),
+            "an empty wave cannot be aligned"
+        );
+        assert!(
+            align_by_loudness(hummed(&[0.5]), &[]).is_ok(),
+            "a wave without words is accepted"
+        );
     }
 }

@@ -204,7 +204,8 @@ mod tests {
         assert!(
             document(&sentence(&[("-", None)]), "en-US")
                 .unwrap()
-                .is_none()
+                .is_none(),
+            "a sentence without words has no document"
         );
     }
 
@@ -295,9 +296,15 @@ mod tests {
     fn a_voice_that_the_server_lacks_and_a_server_that_is_not_there_are_errors() {
         let (address, worker) = server(1);
         let mary = Mary::new(&address).unwrap();
-        assert!(mary.speak("three", &[sentence(&[("a", None)])]).is_err());
+        assert!(
+            mary.speak("three", &[sentence(&[("a", None)])]).is_err(),
+            "a missing voice is rejected"
+        );
         worker.join().unwrap();
         assert!(mary.version().is_err(), "nobody listens any more");
-        assert!(Mary::new("localhost").is_err());
+        assert!(
+            Mary::new("localhost").is_err(),
+            "an address without a scheme is rejected"
+        );
     }
 }

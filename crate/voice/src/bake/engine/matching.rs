@@ -80,6 +80,9 @@ mod tests {
     #[test]
     fn what_would_take_too_much_is_refused() {
         let long = vec![0_u8; 5_000];
-        assert!(matched(&long, &long, |_, _| 0).is_err());
+        assert!(
+            matched(&long, &long, |_, _| 0).is_err(),
+            "matching beyond the limit is rejected"
+        );
     }
 }

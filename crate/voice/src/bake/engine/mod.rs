@@ -277,7 +277,10 @@ mod tests {
             server: "localhost:59125".to_owned(),
             recordings: Some(PathBuf::from("voices")),
         };
-        assert!(ENGINES.iter().all(|name| by_name(name, &options).is_ok()));
+        assert!(
+            ENGINES.iter().all(|name| by_name(name, &options).is_ok()),
+            "every engine accepts the options"
+        );
     }
 
     #[test]

@@ -242,20 +242,29 @@ mod tests {
         let me_too = plan(&["Me", "too"]);
         for (key, place) in [(0x0123_abcd, 9), (0, 2)] {
             let recorded = recordings.recorded(key, place, &me_too).unwrap().unwrap();
-            assert!(recorded.remarks.is_empty());
+            assert!(recorded.remarks.is_empty(), "the recording has no remarks");
             let spoken = recorded.spoken;
             let tokens: Vec<_> = spoken.segments.iter().map(|s| s.token).collect();
             assert_eq!(tokens[..5], [None, Some(0), Some(0), Some(1), Some(1)]);
             assert_eq!((spoken.rate_hz, spoken.samples.len()), (8_000.0, 4_000));
         }
-        assert!(recordings.recorded(0xffff, 0, &me_too).unwrap().is_none());
+        assert!(
+            recordings.recorded(0xffff, 0, &me_too).unwrap().is_none(),
+            "a text without a recording is not found"
+        );
         let alone = recordings.recorded(0, 3, &me_too).unwrap().unwrap();
         let codes: Vec<&str> = alone.remarks.iter().map(|r| r.code).collect();
         assert_eq!(codes, ["lips-by-loudness"]);
         assert_ne!(recordings.state(0, 3).unwrap(), "");
         let others = plan(&["quite another text", "than this"]);
-        assert!(recordings.recorded(0, 2, &others).is_err());
-        assert!(recordings.speak("", &[Sentence::default()]).is_err());
+        assert!(
+            recordings.recorded(0, 2, &others).is_err(),
+            "a recording of another text is rejected"
+        );
+        assert!(
+            recordings.speak("", &[Sentence::default()]).is_err(),
+            "a recording engine does not speak other text"
+        );
     }
 
     #[test]
@@ -273,7 +282,10 @@ mod tests {
         let remarks = recorded.unwrap().remarks;
         let codes: Vec<&str> = remarks.iter().map(|r| r.code).collect();
         assert_eq!(codes, ["phones-unknown", "alignment-repaired"]);
-        assert!(remarks.iter().all(|r| r.message.contains("03.TextGrid")));
+        assert!(
+            remarks.iter().all(|r| r.message.contains("03.TextGrid")),
+            "the remarks name the label file"
+        );
         assert!(remarks[0].message.contains("qqq"), "{remarks:?}");
         fs::remove_file(grid).unwrap();
         fs::write(folder.path().join("03.json"), "[1, 2]").unwrap();

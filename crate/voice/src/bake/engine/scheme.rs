@@ -285,7 +285,10 @@ mod tests {
                 "{nasty:?}"
             );
             let kept = plain(nasty);
-            assert!(!kept.is_empty() && !kept.contains(['"', '\\', ' ']));
+            assert!(
+                !kept.is_empty() && !kept.contains(['"', '\\', ' ']),
+                "the text contains no quotes, backslashes or spaces"
+            );
             assert_eq!(
                 strings.iter().filter(|s| **s == kept).count(),
                 2,
@@ -325,8 +328,14 @@ mod tests {
             ),
             "{said}"
         );
-        assert!(read(&said).is_some() && !said.contains("tomato"));
-        assert!(script(&[sentence("x", Some("\") (quit)"))], "v", Set::Radio).is_err());
+        assert!(
+            read(&said).is_some() && !said.contains("tomato"),
+            "the pronunciation replaces the spelling"
+        );
+        assert!(
+            script(&[sentence("x", Some("\") (quit)"))], "v", Set::Radio).is_err(),
+            "an invalid pronunciation is rejected"
+        );
     }
 
     #[test]

@@ -200,6 +200,9 @@ mod tests {
         for bad in ["", "no times", "{}", "<maryxml>"] {
             assert!(spoken_words(bad).is_err(), "{bad}");
         }
-        assert!(Server(Fake(TALKING)).speak("bob", &[]).is_err());
+        assert!(
+            Server(Fake(TALKING)).speak("bob", &[]).is_err(),
+            "impossible times are rejected"
+        );
     }
 }

@@ -211,7 +211,10 @@ mod tests {
             assert_eq!(wave.samples, [0.25; 4], "{what}");
         }
         let empty = chunks(&[fmt, (b"data", 0, b""), (b"junk", 4, b"abcd")]);
-        assert!(decode(&empty).unwrap().samples.is_empty());
+        assert!(
+            decode(&empty).unwrap().samples.is_empty(),
+            "a WAV without samples is read"
+        );
         let mut long = chunks(&[
             (
                 b"ds64",
@@ -255,9 +258,15 @@ mod tests {
         let loud = written(32, hound::SampleFormat::Float, &[9.0_f32]);
         assert_eq!(decode(&loud).unwrap().samples, [1.0; 4]);
         let whole = written(16, hound::SampleFormat::Int, &[1_i16]);
-        assert!(decode(&whole[..whole.len() - 1]).is_err());
-        assert!(decode(&whole[..30]).is_err());
-        assert!(decode(b"OggS").is_err());
+        assert!(
+            decode(&whole[..whole.len() - 1]).is_err(),
+            "a truncated WAV is rejected"
+        );
+        assert!(
+            decode(&whole[..30]).is_err(),
+            "a WAV without data is rejected"
+        );
+        assert!(decode(b"OggS").is_err(), "another format is rejected");
         let mut still = whole.clone();
         still[24..28].fill(0);
         assert!(decode(&still).is_err(), "0 Hz");

@@ -86,19 +86,22 @@ fn wherever_a_bake_is_stopped_the_bundle_is_the_old_or_the_new_one() {
                 let dir = tempfile::tempdir().unwrap();
                 let open = || Store::open(dir.path().to_owned(), &Real);
                 publish(&open(), &old).unwrap();
-                assert!(is_whole(dir.path(), &old));
+                assert!(
+                    is_whole(dir.path(), &old),
+                    "the interrupted bake leaves the old bundle intact"
+                );
                 let disk = Faulty::at_step(k, then);
                 let result = publish(&Store::open(dir.path().to_owned(), &disk), &new);
                 let (is_old, is_new) = (is_whole(dir.path(), &old), is_whole(dir.path(), &new));
                 assert!(is_old || is_new, "seed {seed}, step {k}, {then:?}");
                 if result.is_ok() {
-                    assert!(is_new);
+                    assert!(is_new, "the last bake is the new bundle");
                     break;
                 }
                 stops += 1;
                 // The next bake makes it good and leaves nothing behind.
                 publish(&open(), &new).unwrap();
-                assert!(is_whole(dir.path(), &new));
+                assert!(is_whole(dir.path(), &new), "the completed bundle is intact");
                 let files = fs::read_dir(dir.path()).unwrap().count();
                 let names: BTreeSet<&Vec<u8>> = new.iter().flat_map(|(.., e)| e).collect();
                 assert_eq!(files, names.len() + 1, "seed {seed}, step {k}");
@@ -118,7 +121,10 @@ fn a_full_disk_keeps_the_old_bundle() {
         publish(&Store::open(dir.path().to_owned(), &Real), &old).unwrap();
         let disk = Faulty::with_room(room);
         if publish(&Store::open(dir.path().to_owned(), &disk), &new).is_ok() {
-            assert!(is_whole(dir.path(), &new));
+            assert!(
+                is_whole(dir.path(), &new),
+                "the bundle is intact after the full disk"
+            );
             break;
         }
         full += 1;
@@ -150,7 +156,10 @@ fn every_change_of_a_sound_is_seen() {
     store
         .write(&bundle(vec![utterance(1, 2, vec![audio])]))
         .unwrap();
-    assert!(open().has(1, 2) && !open().has(1, 3) && !open().has(2, 2));
+    assert!(
+        open().has(1, 2) && !open().has(1, 3) && !open().has(2, 2),
+        "the store has only the audio of its key and text"
+    );
     assert_eq!(open().count_others([1].into_iter()), 0);
     assert_eq!(open().count_others([2].into_iter()), 1);
     for other in [
@@ -167,9 +176,9 @@ fn every_change_of_a_sound_is_seen() {
     fs::remove_file(&path).unwrap();
     assert_eq!(open().sound(1), Some(Sound::Wrong));
     fs::write(&path, b"a sound").unwrap();
-    assert!(open().has(1, 2));
+    assert!(open().has(1, 2), "the store has the written audio");
     fs::write(dir.path().join("speech.json"), "{").unwrap();
-    assert!(!open().has(1, 2));
+    assert!(!open().has(1, 2), "changed audio is not in the store");
 }
 
 /// A bundle as earlier bakes wrote it.
@@ -195,7 +204,10 @@ fn sounds_of_earlier_bakes_are_kept_when_they_are_what_is_said_of_them() {
     let dir = tempfile::tempdir().unwrap();
     earlier(dir.path());
     let mut store = Store::open(dir.path().to_owned(), &Real);
-    assert!(!store.has(0xaa, 7) && store.get(0xaa).is_none());
+    assert!(
+        !store.has(0xaa, 7) && store.get(0xaa).is_none(),
+        "audio that does not match its hash is not in the store"
+    );
     assert_eq!(store.sound(0xaa), Some(Sound::Untold));
     store.adopt(0xaa, 8, &|_, _| true).unwrap();
     assert!(!store.has(0xaa, 8), "another content");
@@ -203,13 +215,22 @@ fn sounds_of_earlier_bakes_are_kept_when_they_are_what_is_said_of_them() {
     store.adopt(0xaa, 7, &only_opus).unwrap();
     assert!(!store.has(0xaa, 7), "one of its sounds is another's");
     store.adopt(0xaa, 7, &|_, _| true).unwrap();
-    assert!(store.has(0xaa, 7));
+    assert!(
+        store.has(0xaa, 7),
+        "audio that matches its hash is in the store"
+    );
     let bundle = bundle(vec![store.get(0xaa).unwrap()]);
     store.write(&bundle).unwrap();
-    assert!(!store.is(&bundle).unwrap());
+    assert!(
+        !store.is(&bundle).unwrap(),
+        "the changed bundle is out of date"
+    );
     assert_eq!(store.remove_unused(&bundle).unwrap(), 2, "the old names");
     let store = Store::open(dir.path().to_owned(), &Real);
-    assert!(store.has(0xaa, 7) && store.is(&bundle).unwrap());
+    assert!(
+        store.has(0xaa, 7) && store.is(&bundle).unwrap(),
+        "the restored bundle is up to date"
+    );
     let sound = store.get(0xaa).unwrap().audio[0].file.clone();
     assert_eq!(fs::read(dir.path().join(sound)).unwrap(), b"sound opus");
 }
@@ -243,8 +264,14 @@ fn only_unused_files_that_a_bake_made_are_removed() {
     }
     store.write(&bundle).unwrap();
     assert_eq!(store.clear().unwrap(), 1);
-    assert!(!dir.path().join("speech.json").exists());
-    assert!(dir.path().join("drum.mp3").exists());
+    assert!(
+        !dir.path().join("speech.json").exists(),
+        "the unused bundle file is removed"
+    );
+    assert!(
+        dir.path().join("drum.mp3").exists(),
+        "the file of the author stays"
+    );
 }
 
 #[cfg(unix)]
@@ -263,10 +290,16 @@ fn sounds_that_are_links_out_of_the_folder_are_none() {
     fs::remove_file(&path).unwrap();
     std::os::unix::fs::symlink(&secret, &path).unwrap();
     let store = Store::open(voice.clone(), &Real);
-    assert!(!store.has(1, 2));
+    assert!(
+        !store.has(1, 2),
+        "a link out of the folder is not in the store"
+    );
     // The link is replaced, and what it named stays as it was.
     store.add(b"a sound", "opus", "a").unwrap();
-    assert!(!fs::symlink_metadata(&path).unwrap().is_symlink());
+    assert!(
+        !fs::symlink_metadata(&path).unwrap().is_symlink(),
+        "the link is replaced with a regular file"
+    );
     assert_eq!(fs::read(&secret).unwrap(), b"a sound");
 }
 

@@ -200,7 +200,10 @@ mod tests {
         assert_eq!(of("+12st"), Some(vec![Factor(2.0)]));
         assert_eq!(of("-12st"), Some(vec![Factor(0.5)]));
         assert_eq!(of("+16Hz"), Some(vec![Factor(1.1)]));
-        assert!(height("+16Hz").unwrap().1.is_some());
+        assert!(
+            height("+16Hz").unwrap().1.is_some(),
+            "a change in hertz is read"
+        );
         for bad in [
             "", "120", "0Hz", "-100%", "-200Hz", "high ish", "1e5Hz", "st",
         ] {

@@ -58,7 +58,10 @@ fn measured_ratio(before: &PitchTrack, made: &Changed) -> f64 {
         .map(|(i, hz)| hz / before.hz_at(made.times.before(i as f64 * 0.01)))
         .filter(|ratio| *ratio > 0.0 && ratio.is_finite())
         .collect();
-    assert!(ratios.len() as f64 > 50.0 * made.times.after(1.0));
+    assert!(
+        ratios.len() as f64 > 50.0 * made.times.after(1.0),
+        "the measured ratios cover the audio"
+    );
     ratios.sort_by(f64::total_cmp);
     ratios[ratios.len() / 2]
 }
@@ -105,7 +108,10 @@ fn duration_is_exact_and_pitch_and_level_stay() {
             },
         );
         let wanted = sound.len() as f64 * factor;
-        assert!((made.samples.len() as f64 - wanted).abs() <= 1.0);
+        assert!(
+            (made.samples.len() as f64 - wanted).abs() <= 1.0,
+            "the duration is exact to one sample"
+        );
         let pitch = measured_ratio(&found, &made);
         assert!((pitch - 1.0).abs() < 0.01, "{factor}: pitch {pitch}");
         let level_db = decibels(power(&made.samples) / power(&sound));
@@ -181,7 +187,8 @@ fn gain_is_as_asked_and_its_jumps_are_ramps() {
         made.samples
             .iter()
             .zip(&sound)
-            .all(|(a, b)| (a - 2.0 * b).abs() < 1e-12)
+            .all(|(a, b)| (a - 2.0 * b).abs() < 1e-12),
+        "a constant gain scales every sample"
     );
     let constant = vec![1.0; 16_000];
     let step = |t: f64| if t < 0.5 { 1.0 } else { 3.0 };
@@ -212,8 +219,14 @@ fn wild_wishes_and_wild_sound_are_survived() {
         rigid: &[(f64::NAN, 1.0), (0.5, 0.2), (f64::NEG_INFINITY, 0.1)],
     };
     let made = change(&sound, RATE, &found, &wild);
-    assert!(made.samples.len() <= 5 * sound.len());
-    assert!(change(&[], RATE, &found, &wild).samples.is_empty());
+    assert!(
+        made.samples.len() <= 5 * sound.len(),
+        "the changed audio is at most five times as long"
+    );
+    assert!(
+        change(&[], RATE, &found, &wild).samples.is_empty(),
+        "empty audio stays empty"
+    );
     assert_eq!(change(&sound, f64::NAN, &found, &wild).samples, sound);
     let broken = vec![f64::NAN; 2000];
     let stretched = Change {

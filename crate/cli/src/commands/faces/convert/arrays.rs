@@ -1,6 +1,6 @@
-//! A model in NumPy's arrays, in metres: `mean.npy` (V × 3, or 3V), `modes.npy` (K × V × 3, or
-//! K × 3V) and `deviations.npy` (K), of f32 or f64, little endian, in C order; `mesh.obj`, where
-//! there is one, has the triangles. Modes need not be orthonormal.
+//! Models in NumPy arrays, in metres: `mean.npy` (V × 3, or 3V), `modes.npy` (K × V × 3, or K × 3V)
+//! and `deviations.npy` (K), of f32 or f64, little endian, in C order; the optional `mesh.obj` has
+//! the triangles. Modes need not be orthonormal.
 
 use std::path::Path;
 

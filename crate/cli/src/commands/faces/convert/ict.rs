@@ -1,7 +1,7 @@
-//! ICT-FaceKit's light model (Li et al. 2020, arXiv:2004.03458; MIT): its folder
-//! `FaceXModel` has the average face and a mesh for each principal component, all of the same
-//! vertices. A face is the average and multiples of what tells the others from it, multiples of
-//! standard deviation 1. Its expressions are left out.
+//! ICT-FaceKit's light model (Li et al. 2020, arXiv:2004.03458; MIT): its folder `FaceXModel` has
+//! the average face and a mesh for each principal component, all of the same vertices. A face is
+//! the average plus multiples of the differences of the others from it, with standard deviation 1.
+//! Its expressions are omitted.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Meshes that correspond: examples that a space is learned from, in metres.
+//! Corresponding meshes: examples for learning a space, in metres.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! `raconteur faces convert`: morphable models of others, each on its own topology.
+//! `raconteur faces convert`: third-party morphable models, each on its own topology.
 
 mod arrays;
 mod ict;
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use clap::Args;
-use raconteur_faces::{AgeModel, FaceModel, FaceSpace, Follower, MAX_BYTES, Segments};
+use raconteur_faces::{AgeModel, DependentNumbers, FaceModel, FaceSpace, MAX_BYTES, Segments};
 use raconteur_voice::files::disk::replace;
 
 use crate::{Outcome, terminal};
@@ -102,8 +102,8 @@ impl SourceModel {
             life: AgeModel::default(),
             examples: own.collect::<Result<_, _>>()?,
             // Neither a cage nor organs of ours follow it.
-            cage: Follower::default(),
-            organs: Follower::default(),
+            cage: DependentNumbers::default(),
+            organs: DependentNumbers::default(),
             people: Vec::new(),
             landmarks: Vec::new(),
             texture: None,

@@ -1,5 +1,5 @@
-//! Meshes in Wavefront OBJ. Vertices keep the order of their file, which is what makes them
-//! correspond; readers that lay meshes out for drawing, as `tobj` does, number them anew.
+//! Meshes in Wavefront OBJ. Vertices keep the order of their file, which makes them correspond;
+//! readers that lay out meshes for rendering, such as `tobj`, renumber them.
 
 use std::path::{Path, PathBuf};
 

@@ -125,32 +125,50 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 #[test]
 fn the_components_of_ict_facekit_become_modes_in_metres() {
     let (model, explained) = made(&ict(), 0);
-    assert!((explained - 1.0).abs() < 1e-12);
-    assert!(distance(model.shape.deviations(), &[0.04, 0.03]) < 1e-12);
+    assert!(
+        (explained - 1.0).abs() < 1e-12,
+        "the modes explain the whole variance"
+    );
+    assert!(
+        distance(model.shape.deviations(), &[0.04, 0.03]) < 1e-12,
+        "the deviations are in metres"
+    );
     assert_eq!(model.triangles, [[0, 1, 2], [0, 2, 3]]);
     let mut face: Vec<f64> = SQUARE.iter().flatten().map(|x| 0.01 * x).collect();
-    assert!(distance(model.shape.mean(), &face) < 1e-12);
+    assert!(
+        distance(model.shape.mean(), &face) < 1e-12,
+        "the mean face is in metres"
+    );
     face[0] += 2.0 * 0.03;
     face[8] -= 0.04;
     let own = model.shape.coefficients(&face).unwrap();
-    assert!(distance(&model.shape.face(&own), &face) < 1e-12);
+    assert!(
+        distance(&model.shape.face(&own), &face) < 1e-12,
+        "the face of the coefficients is in metres"
+    );
 
     let (least, explained) = made(&ict(), 1);
     assert_eq!(least.shape.dimensions(), 1);
-    assert!((explained - 0.64).abs() < 1e-12);
+    assert!(
+        (explained - 0.64).abs() < 1e-12,
+        "one mode explains 64 % of the variance"
+    );
 }
 
 #[test]
 fn modes_of_arrays_are_made_orthonormal() {
     let (model, _) = made(&arrays(), 9);
     assert_eq!((model.shape.dimensions(), model.triangles.len()), (2, 1));
-    // Variances of the basis add up, whatever the directions.
+    // The variances of the basis add up for any directions.
     let variance: f64 = model.shape.deviations().iter().map(|d| d * d).sum();
-    assert!((variance - (0.0625 + 2.0 * 0.015_625)).abs() < 1e-9);
+    assert!(
+        (variance - (0.0625 + 2.0 * 0.015_625)).abs() < 1e-9,
+        "the variance of the modes"
+    );
     let across: f64 = (0..12)
         .map(|i| model.shape.mode(0)[i] * model.shape.mode(1)[i])
         .sum();
-    assert!(across.abs() < 1e-9);
+    assert!(across.abs() < 1e-9, "the modes are orthogonal");
 
     // The same without triangles, and in the other shapes.
     let mut others = arrays();
@@ -160,17 +178,29 @@ fn modes_of_arrays_are_made_orthonormal() {
     let data = file.split_off(file.len() - 96);
     *file = npy("<f4", "(2, 4, 3)", &data);
     let (other, _) = made(&others, 9);
-    assert!(other.triangles.is_empty());
-    assert!(distance(other.shape.deviations(), model.shape.deviations()) < 1e-12);
+    assert!(
+        other.triangles.is_empty(),
+        "the second model has no triangles"
+    );
+    assert!(
+        distance(other.shape.deviations(), model.shape.deviations()) < 1e-12,
+        "both models have the same deviations"
+    );
 }
 
 #[test]
 fn meshes_alone_are_examples() {
     let (model, explained) = made(&meshes(), 9);
-    assert!((explained - 1.0).abs() < 1e-12);
+    assert!(
+        (explained - 1.0).abs() < 1e-12,
+        "the modes explain the whole variance of the examples"
+    );
     assert_eq!((model.shape.dimensions(), model.examples.len()), (2, 3));
     let second: Vec<f64> = square_and(0, [3.0, 0.0, 0.0]).concat();
-    assert!(distance(&model.shape.face(&model.examples[1]), &second) < 1e-9);
+    assert!(
+        distance(&model.shape.face(&model.examples[1]), &second) < 1e-9,
+        "the second example is restored"
+    );
 }
 
 #[test]
@@ -186,8 +216,14 @@ fn a_pack_of_every_kind_is_read_again() {
         convert.run().unwrap();
         let model = FaceModel::from_bytes(&fs::read(output).unwrap()).unwrap();
         assert_eq!((model.shape.length(), model.shape.dimensions()), (12, 1));
-        assert!(model.cage.evaluate(&[1.0]).is_empty());
-        assert!(model.segments.all().is_empty() && model.attributes.is_empty());
+        assert!(
+            model.cage.evaluate(&[1.0]).is_empty(),
+            "the pack has no cage"
+        );
+        assert!(
+            model.segments.all().is_empty() && model.attributes.is_empty(),
+            "the pack has neither segments nor attributes"
+        );
     }
 }
 
@@ -229,13 +265,25 @@ fn broken_folders_of_meshes_are_told_by_name() {
 fn folders_without_a_model_are_told_by_name() {
     let empty = tempfile::tempdir().unwrap();
     let said = |path: &Path| format!("{:#}", read(path).unwrap_err());
-    assert!(said(empty.path()).contains("it contains no model"));
-    assert!(said(&empty.path().join("none")).contains("cannot read"));
+    assert!(
+        said(empty.path()).contains("it contains no model"),
+        "the error for a folder without a model"
+    );
+    assert!(
+        said(&empty.path().join("none")).contains("cannot read"),
+        "the error for an unreadable folder"
+    );
     let one = folder(&meshes()[..1]);
-    assert!(said(one.path()).contains("at least two examples"));
+    assert!(
+        said(one.path()).contains("at least two examples"),
+        "the error for a single example"
+    );
     let file = obj(&SQUARE, QUAD).into_bytes();
     let same = folder(&[("a.obj", file.clone()), ("b.obj", file)]);
-    assert!(said(same.path()).contains("its faces do not differ"));
+    assert!(
+        said(same.path()).contains("its faces do not differ"),
+        "the error for identical faces"
+    );
 }
 
 #[test]
@@ -325,7 +373,10 @@ fn broken_arrays_are_told_by_name() {
 fn a_pack_that_would_be_too_large_is_not_made() {
     let (model, _) = made(&ict(), 0);
     let bytes = pack(&model, MAX_BYTES).unwrap();
-    assert!(pack(&model, bytes.len()).is_ok());
+    assert!(
+        pack(&model, bytes.len()).is_ok(),
+        "a pack at its size limit is written"
+    );
     let told = pack(&model, bytes.len() - 1).unwrap_err().to_string();
     assert!(told.contains("`--modes` keeps fewer"), "{told}");
 }

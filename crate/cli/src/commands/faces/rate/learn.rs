@@ -221,8 +221,11 @@ mod tests {
         let value = |i: usize| named.attribute.value(&model.shape, &model.examples[i]);
         let mut order: Vec<usize> = (0..40).collect();
         order.sort_by(|a, b| visible_value(*a).total_cmp(&visible_value(*b)));
-        assert!(value(order[0]) < -0.3 && value(order[39]) > 0.3);
-        // Once more, on the new pack: what it has is replaced.
+        assert!(
+            value(order[0]) < -0.3 && value(order[39]) > 0.3,
+            "the learned values follow the order of the ratings"
+        );
+        // A second run on the new pack replaces its attribute.
         of.pack = of.output.clone();
         of.anyway = true;
         of.terms = Vec::new();
@@ -250,7 +253,7 @@ mod tests {
                 anyway: false,
             };
             let error = of.run(&mut Vec::new()).expect_err("wrong");
-            assert!(!of.output.exists());
+            assert!(!of.output.exists(), "a rejected rating writes no output");
             format!("{error:#}")
         };
         let header = "rater\tface\tattribute\tvalue\n";

@@ -1,10 +1,10 @@
-//! A pack for tests.
+//! Pack for tests.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use raconteur_base::noise;
-use raconteur_faces::{AgeModel, FaceModel, FaceSpace, Follower, Segment, Segments};
+use raconteur_faces::{AgeModel, DependentNumbers, FaceModel, FaceSpace, Segment, Segments};
 
 /// A pack of 40 faces of 12 numbers, in a folder.
 pub(super) fn pack(folder: &Path) -> PathBuf {
@@ -21,8 +21,8 @@ pub(super) fn pack(folder: &Path) -> PathBuf {
     let model = FaceModel {
         reference: Vec::new(),
         life: AgeModel::default(),
-        cage: Follower::learn(&shape, &examples, &faces),
-        organs: Follower::default(),
+        cage: DependentNumbers::learn(&shape, &examples, &faces),
+        organs: DependentNumbers::default(),
         people: Vec::new(),
         landmarks: Vec::new(),
         texture: None,

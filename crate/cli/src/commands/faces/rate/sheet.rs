@@ -52,7 +52,7 @@ impl Sheet {
             (2..=examples).contains(&self.faces),
             "--faces takes 2 to {examples}, the number of examples in the pack"
         );
-        // Raters may put their lines into one file.
+        // Raters may write their lines to one file.
         let lines = self.faces.saturating_mul(names.len());
         ensure!(
             lines < Ratings::MAX_LINES / 2,
@@ -135,7 +135,10 @@ mod tests {
         let drawn = drawn.take();
         assert_eq!(drawn, draw(40, 36, 5));
         assert_ne!(drawn, draw(40, 36, 6));
-        assert!(drawn.windows(2).all(|pair| pair[0] < pair[1]) && drawn[35] < 40);
+        assert!(
+            drawn.windows(2).all(|pair| pair[0] < pair[1]) && drawn[35] < 40,
+            "the selected faces are sorted, distinct and in range"
+        );
         let form = fs::read_to_string(folder.path().join("a/b").join(FORM)).expect("a form");
         let asked = form.lines().filter(|l| l.ends_with("\todd\t")).count();
         assert_eq!((asked, Ratings::parse(&form).is_ok()), (36, true));
@@ -159,7 +162,13 @@ mod tests {
                 "{faces}"
             );
         }
-        assert!(names(&["a".to_owned(), " a".to_owned()]).is_err());
-        assert!(names(&["a\tb".to_owned()]).is_err());
+        assert!(
+            names(&["a".to_owned(), " a".to_owned()]).is_err(),
+            "a repeated attribute name is rejected"
+        );
+        assert!(
+            names(&["a\tb".to_owned()]).is_err(),
+            "an attribute name with a tab is rejected"
+        );
     }
 }

@@ -105,7 +105,10 @@ fn pronunciations_are_mnemonics_with_stress_before_vowels() {
         mnemonics("t\u{259}\u{2c8}m\u{251}\u{2d0}to\u{28a}", Set::Espeak).unwrap(),
         "[[t|@|m|'A:|t|oU|]]"
     );
-    assert!(mnemonics("]] x", Set::Espeak).is_err());
+    assert!(
+        mnemonics("]] x", Set::Espeak).is_err(),
+        "invalid phones are rejected"
+    );
 }
 
 /// Host with one variant that produces no audio.
@@ -156,7 +159,10 @@ fn a_file_tells_of_its_voice() {
         (voice.name.as_str(), voice.language.as_str(), voice.gender),
         ("en-us", "en-US", Some(Gender::Female))
     );
-    assert!(voices::voice_of("x", "maintainer nobody").is_none());
+    assert!(
+        voices::voice_of("x", "maintainer nobody").is_none(),
+        "a file without a voice is skipped"
+    );
     assert_eq!(voices::file_of("en-GB"), "en");
     assert_eq!(voices::file_of("en-US"), "en-us");
     assert_eq!(voices::tag("zh-latn-pinyin"), "zh-latn-pinyin");

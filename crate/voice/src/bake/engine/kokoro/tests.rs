@@ -40,7 +40,10 @@ impl Host for Plain {
 
     fn infer(&self, _voice: &str, letters: &str, _pace: f64) -> Result<Output> {
         let count = letters.chars().count();
-        assert!(count <= MAX_LETTERS);
+        assert!(
+            count <= MAX_LETTERS,
+            "the number of letters is within the limit"
+        );
         let frames = std::iter::once(4.0)
             .chain(std::iter::repeat_n(2.0, count))
             .chain([4.0]);
@@ -154,12 +157,16 @@ fn long_sentences_are_spoken_in_parts() {
         spoken
             .segments
             .windows(2)
-            .all(|p| p[0].end_secs < p[1].end_secs)
+            .all(|p| p[0].end_secs < p[1].end_secs),
+        "the segments are in chronological order"
     );
-    assert!((spoken.segments[spoken.segments.len() - 1].end_secs - sound_secs).abs() < 1e-6);
+    assert!(
+        (spoken.segments[spoken.segments.len() - 1].end_secs - sound_secs).abs() < 1e-6,
+        "the last segment ends with the audio"
+    );
     for syllable in &spoken.syllables {
         let first = &spoken.segments[syllable.first];
-        assert!(!first.is_silent());
+        assert!(!first.is_silent(), "the first segment is not silent");
     }
 }
 
@@ -190,7 +197,10 @@ fn a_network_that_tells_nonsense_is_an_error() {
             samples: vec![0.0; 600],
             frames,
         };
-        assert!(to_spoken(&marks, TONGUES[0], &out).is_err());
+        assert!(
+            to_spoken(&marks, TONGUES[0], &out).is_err(),
+            "nonsense from the network is rejected"
+        );
     }
 }
 

@@ -155,7 +155,10 @@ mod tests {
             .collect();
         let anchors = Words::from_units(&spoken_words(text)).anchors(&pauses, total);
         assert_eq!(anchors[0], (0, 0.0));
-        assert!(anchors.is_sorted_by(|a, b| a.0 < b.0 && a.1 <= b.1) || anchors.len() == 2);
+        assert!(
+            anchors.is_sorted_by(|a, b| a.0 < b.0 && a.1 <= b.1) || anchors.len() == 2,
+            "the anchors are sorted"
+        );
         anchors.into_iter().map(|a| a.0).collect()
     }
 
