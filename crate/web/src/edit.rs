@@ -100,7 +100,7 @@ impl Player {
         let Some(performer) = &mut self.performer else {
             return numbers;
         };
-        let manipulators = performer.manipulators(performer.last_frame().time_secs);
+        let manipulators = performer.hand_targets(performer.last_frame().time_secs);
         let mut put = |values: &[f64]| numbers.extend(values.iter().map(|&v| v as f32));
         let frame = performer.last_frame();
         let camera = &frame.camera;
@@ -128,7 +128,7 @@ impl Player {
         let Some(performer) = &mut self.performer else {
             return Vec::new();
         };
-        let manipulators = performer.manipulators(performer.last_frame().time_secs);
+        let manipulators = performer.hand_targets(performer.last_frame().time_secs);
         let joints = performer.figure().skeleton.joints().iter();
         joints
             .map(|j| j.name.clone())
