@@ -1,4 +1,4 @@
-//! Leaves the comments of the shaders out of what travels to the browser: half of their text.
+//! Removes the comments of the shaders from the browser build: half of their text.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};

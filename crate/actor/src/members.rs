@@ -5,7 +5,7 @@ use std::fmt;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::Value;
 
-/// The members of an object as written; a name may occur twice.
+/// Members of a JSON object in written order; a name may occur more than once.
 #[derive(Debug, Default)]
 pub(crate) struct Members(pub(crate) Vec<(String, Value)>);
 

@@ -14,7 +14,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use raconteur_base::{DMat3, DQuat, DVec3, Length, Side, ops};
 
-/// Fingers of the zero pose, world, unit.
+/// Returns the direction of the fingers in the zero pose, world, unit.
 #[must_use]
 pub fn zero_fingers(side: Side) -> DVec3 {
     DVec3::X * side.sign()
@@ -35,7 +35,7 @@ pub fn hand_rotation(side: Side, normal_in_world: DVec3, angle_rad: f64) -> Opti
     Some((turn * unturned(side, normal)).normalized())
 }
 
-/// The hand rotation with a palm's normal (unit) and an angle of 0.
+/// Returns the hand rotation with this palm normal (unit) and an angle of 0 about it.
 fn unturned(side: Side, normal: DVec3) -> DQuat {
     let hanging = DQuat::from_rotation_z(-side.sign() * FRAC_PI_2);
     let hanging_normal = hanging * ZERO_NORMAL;
@@ -47,8 +47,8 @@ fn unturned(side: Side, normal: DVec3) -> DQuat {
     carry * hanging
 }
 
-/// The palm's normal (world, unit) and the angle about it (radians, −π..π) of a hand rotation: the
-/// inverse of [`hand_rotation`].
+/// Returns the palm's normal (world, unit) and the angle about it (radians, −π..π) of a hand
+/// rotation; the inverse of [`hand_rotation`].
 #[must_use]
 pub fn normal_and_angle(side: Side, hand_in_world: DQuat) -> (DVec3, f64) {
     let normal = hand_in_world * ZERO_NORMAL;

@@ -11,18 +11,18 @@ use crate::manipulator::ManipulatorScript;
 use crate::nonverbal::Manner;
 use crate::parameters::ParameterScript;
 
-/// All commands to one figure over a whole story.
+/// All commands to one figure over a whole story, as plain data; an actor performs it.
 #[derive(Clone, Debug)]
 pub struct Performance {
-    /// Left and right arm.
+    /// Gesture scripts of the left and right arm.
     pub arms: [ArmScript; 2],
     /// Motions of limbs, head and the whole figure as manipulators.
     pub manipulators: ManipulatorScript,
     /// Joint limits of the figure, and the body shape that its arms avoid.
     pub build: Build,
-    /// The dominant hand.
+    /// Dominant hand of the figure.
     pub dominant: Side,
-    /// Animation players.
+    /// Commands to the animation players.
     pub players: PlayerScript,
     /// The animations that they may play.
     pub library: Library,

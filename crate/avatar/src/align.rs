@@ -20,14 +20,15 @@ const USUAL_M: f64 = 1.70;
 /// Height of the hips' joint over stature; the generator's own figures have it there.
 const HIPS_SHARE: f64 = 0.545;
 
-/// Rest stance of the figure in its file.
+/// Orientation and stance of an imported figure in its file, used to turn it upright and facing +z.
 pub(super) struct RestStance {
     /// Upright and facing +z from the file's world.
     pub(super) turn: DQuat,
     has_legs: bool,
 }
 
-/// Ours from theirs.
+/// Transform from an imported file to the engine's frame (upright, facing +z, metres, soles at
+/// zero), and the stature.
 pub(super) struct Alignment {
     /// Our world from the file's.
     pub(super) ours_from_theirs: DAffine3,

@@ -45,7 +45,7 @@ struct Channel {
     node: usize,
     path: Path,
     times: Vec<f64>,
-    /// One value a key; three (in-tangent, value, out-tangent) for cubic ones.
+    /// Values of the keys, one per key; three (in-tangent, value, out-tangent) for cubic ones.
     values: Vec<[f64; 4]>,
     interpolation: Interpolation,
 }
@@ -277,7 +277,8 @@ impl Sampler<'_> {
         DAffine3::from_scale_rotation_translation(scale, turn, place)
     }
 
-    /// The pose at a time: rotations, and the root's displacement in shares of stature.
+    /// Returns the pose at time `t`, seconds: rotations, and the root's displacement as a share of
+    /// stature.
     fn pose(&mut self, t: f64) -> Pose {
         let mut world = std::mem::take(&mut self.world);
         world.resize(self.tree.parents.len(), DAffine3::IDENTITY);
@@ -312,7 +313,7 @@ impl Sampler<'_> {
     }
 }
 
-/// The text of a clip with these poses.
+/// Returns the text of a clip with these sampled poses, in the clip format.
 fn text(samples: &[(Pose, f64)], length: f64, humanoid: &Humanoid) -> String {
     let round = |x: f64| (x * 1e5).round() / 1e5;
     let mut tracks = Map::new();

@@ -13,7 +13,7 @@ use raconteur_body::skeleton::Bone;
 /// Displacements below this are the exporter's noise, metres.
 const STILL_M: f64 = 1e-5;
 
-/// Mapping from the nodes of an imported file to the figure's joints.
+/// Mapping from the nodes of an imported file to the figure's joints; converts skinning weights.
 pub(super) struct Binding {
     joint_of_node: Vec<u16>,
     limbs: Vec<Limb>,
@@ -26,7 +26,8 @@ struct Limb {
     /// The joints that share it in ours, from the body outwards.
     joints: [u16; 3],
     from: DVec3,
-    /// From end to end over its squared length, times the number of steps between joints.
+    /// Vector along the limb, divided by its squared length and multiplied by the number of steps
+    /// between joints; gives a vertex's position along it.
     along: DVec3,
 }
 
@@ -124,7 +125,8 @@ impl Binding {
         }
     }
 
-    /// The four heaviest of a vertex's joints, heaviest first, with weights that sum to 1.
+    /// Returns the four joints with the greatest weights for a vertex, greatest first, with weights
+    /// that sum to 1.
     fn joints_of(
         &self,
         nodes: &[u32; INFLUENCES],

@@ -34,8 +34,8 @@ impl Serialize for Bytes {
     }
 }
 
-/// The text of a clip that an animation of a glTF, GLB or VRM file makes: the one of this name,
-/// or the first for an empty name. The exception's message names the fault.
+/// Converts an animation of a glTF, GLB or VRM file to the text of a clip: the animation of this
+/// name, or the first for an empty name. The exception's message describes the error.
 #[wasm_bindgen(js_name = convertAnimation)]
 pub fn convert_animation(name: &str, bytes: &[u8]) -> Result<String, JsError> {
     Ok(crate::convert_animation(name, bytes)?)
@@ -114,7 +114,7 @@ pub fn face_file(
     })?)
 }
 
-/// Runs when an instance is made.
+/// Installs the panic handler when the wasm module is instantiated.
 #[wasm_bindgen(start)]
 pub fn start() {
     raconteur_base::panic::keep_messages();

@@ -49,14 +49,14 @@ fn is_understood(extension: &str) -> bool {
         || extension.starts_with("VRMC_")
 }
 
-/// Document with all views in one buffer.
+/// Imported glTF document whose data is joined into one buffer, for binary and text files alike.
 pub(super) struct Container<'a> {
     pub(super) root: Value,
     pub(super) bin: Cow<'a, [u8]>,
 }
 
 impl<'a> Container<'a> {
-    /// The document of the edited JSON.
+    /// Parses the document from the edited JSON.
     pub(super) fn document(&self) -> Result<Document<'_>, ReadError> {
         Document::from_json(&self.root, &self.bin)
     }
@@ -206,7 +206,7 @@ fn place(view: &Value, bases: &[(u64, u64)]) -> Result<Range<usize>, ReadError> 
     Ok((base + from) as usize..(base + end) as usize)
 }
 
-/// The JSON of a text file.
+/// Returns the JSON of a text file without byte order mark.
 fn text_of(bytes: &[u8]) -> Result<&[u8], ImportError> {
     let text = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let first = text.iter().find(|b| !b.is_ascii_whitespace());

@@ -150,7 +150,8 @@ impl<'a> PerformingSkeleton<'a> {
     }
 }
 
-/// A name without the number of a copy: "Hips.001", "Hips_1".
+/// Returns a name without the number of a copy ("Hips.001", "Hips_1"); `None` if it has no such
+/// number.
 fn without_copy(name: &str) -> Option<&str> {
     let bare = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let bare = bare

@@ -2,7 +2,7 @@
 
 use raconteur_body::read::ReadError;
 
-/// Error returned when a file cannot be imported.
+/// Error returned when a file cannot be imported as a humanoid avatar.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ImportError {
@@ -25,7 +25,7 @@ pub enum ImportError {
     ExternalFile {
         /// Description of the part.
         what: &'static str,
-        /// Its address, shortened.
+        /// URI of the external file, shortened.
         uri: String,
     },
     /// A data address that cannot be decoded.
@@ -39,7 +39,7 @@ pub enum ImportError {
     NotHumanoid(String),
 }
 
-/// Diagnostic about content of the file that was changed or lost.
+/// Diagnostic about content of the imported file that was changed or lost.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Stable code, for example `mouth-still`.
@@ -50,7 +50,7 @@ pub struct Diagnostic {
     pub hint: &'static str,
 }
 
-/// Collects diagnostics; each code once.
+/// Collector of import diagnostics; keeps each code only once.
 #[derive(Default)]
 pub(super) struct DiagnosticSink(Vec<Diagnostic>);
 

@@ -15,7 +15,7 @@ use self::recipes::{OVER_JAW, RECIPES, Sum, recognise, recognise_expression};
 use super::error::DiagnosticSink;
 use raconteur_body::read::document::Document;
 
-/// Morph target of a mesh with its weight.
+/// Morph target of a mesh in the imported file, with its weight in a sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct WeightedTarget {
     pub(super) mesh: usize,
@@ -23,14 +23,15 @@ pub(super) struct WeightedTarget {
     pub(super) factor: f64,
 }
 
-/// A morph target that the figure will have.
+/// Morph target of the resulting figure, as a weighted sum of targets of the imported file.
 pub(super) struct Channel {
     pub(super) name: &'static str,
     pub(super) parts: Vec<WeightedTarget>,
     pub(super) region: Region,
 }
 
-/// The face of a file.
+/// Face of an imported file: its morph targets mapped to the figure's, and the targets that move
+/// mouth and lids.
 pub(super) struct ImportedFace {
     pub(super) channels: Vec<Channel>,
     /// Targets that speech moves, and those that close the lids.
@@ -186,7 +187,7 @@ fn channel(sources: &Sources, name: &'static str, sums: &[Sum], region: Region) 
     })
 }
 
-/// VRM's expressions (1.0) or blend shape groups (0.x) as sources.
+/// Returns VRM's expressions (1.0) or blend shape groups (0.x) as weighted morph targets by name.
 fn expressions(json: &Value, root: &Document<'_>) -> Sources {
     let mut sources = Sources::new();
     let number = |v: &Value| v.as_u64().and_then(|n| usize::try_from(n).ok());

@@ -6,16 +6,16 @@ use raconteur_body::read::{ReadError, read_figure};
 use raconteur_body::write::to_packed_glb;
 use raconteur_reshape::{HairDonor, HairDonors, Look, NewFace, ReshapeError, Reshaper};
 
-/// Contents of a figure file.
+/// Contents of a figure file to create: base figure, face, hair and accessories, and skin texture.
 #[derive(Debug)]
 pub struct FaceFile<'a> {
     /// The name of the new figure.
     pub name: &'a str,
     /// The figure that gets the face.
     pub glb: &'a [u8],
-    /// The face.
+    /// New face to put on the figure.
     pub face: NewFace<'a>,
-    /// Hair and accessories.
+    /// Hair and accessories of the figure.
     pub look: &'a Look,
     /// Files of the figures that lend hair, by name.
     pub lenders: Vec<(String, Vec<u8>)>,
@@ -23,7 +23,7 @@ pub struct FaceFile<'a> {
     pub skin: Option<Image>,
 }
 
-/// Error returned when a figure file cannot be created.
+/// Error returned when a figure file cannot be created from a face model.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileError {
@@ -35,7 +35,7 @@ pub enum FileError {
     Reshape(#[from] ReshapeError),
 }
 
-/// Makes a figure file.
+/// Creates a figure file (GLB) with a face of a face model, usable by any story.
 ///
 /// # Errors
 /// When a figure cannot be read or cannot have the face.

@@ -13,7 +13,7 @@ use super::tree::Tree;
 use raconteur_body::pose::Pose;
 use raconteur_body::skeleton::{Bone, FaceJoints, Skeleton, zero_frames};
 
-/// A foreign figure's skeleton as ours.
+/// Rest pose of an imported figure mapped to the engine's 54-bone skeleton.
 pub(super) struct RestSkeleton {
     pub(super) skeleton: Skeleton,
     /// Joint from world in the rest pose.
@@ -123,7 +123,8 @@ impl BoneFinder {
         DVec3::new(x * side.sign(), y, z) * self.stature_m
     }
 
-    /// Offset between two bones of the example of GEVH table A.1, at this figure's size.
+    /// Returns the offset between two bones of the example skeleton (GEVH table A.1), scaled to
+    /// this figure's stature, metres.
     fn example_offset(&self, from: Bone, to: Bone) -> DVec3 {
         let example_stature_m = 77.0 * raconteur_base::METRES_PER_INCH;
         (to.example_position_m() - from.example_position_m()) * (self.stature_m / example_stature_m)
@@ -233,7 +234,8 @@ impl BoneFinder {
         self.fingers(side, wrist_at);
     }
 
-    /// The hand's turn, from its knuckles where they are known.
+    /// Returns the rotation of the hand from its knuckles, or that of the forearm if they are
+    /// unknown.
     fn hand(&self, side: Side, wrist_at: DVec3, forearm: DQuat) -> DQuat {
         let wrist = Bone::on(side, "wrist");
         let known: Vec<Bone> = ["index0", "middle0", "ring0", "pinky0"]
@@ -308,7 +310,7 @@ impl BoneFinder {
     }
 }
 
-/// The angle about `axis` from one vector at right angles to it to another, radians.
+/// Returns the signed angle about `axis` from one perpendicular vector to another, radians.
 fn signed_angle(from: DVec3, to: DVec3, axis: DVec3) -> f64 {
     ops::atan2(from.cross(to).dot(axis), from.dot(to))
 }

@@ -26,7 +26,7 @@ const MAX_TRIANGLES: usize = 4 << 20;
 /// Maximum number of joints per vertex that are read; [`super::bind`] keeps the four heaviest.
 pub(super) const INFLUENCES: usize = 8;
 
-/// One primitive in the file's world.
+/// Vertices and triangles of one imported primitive, in the world frame of its file.
 pub(super) struct Geometry {
     pub(super) name: String,
     pub(super) surface: Surface,
@@ -43,7 +43,7 @@ pub(super) struct Geometry {
     pub(super) rigid: bool,
 }
 
-/// Reads all geometry of the file's scene.
+/// Reader of all geometry in the scene of an imported file.
 pub(super) struct Reader<'a, 's> {
     pub(super) json: &'a Value,
     pub(super) tree: &'a Tree<'a>,

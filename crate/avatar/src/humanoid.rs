@@ -8,7 +8,7 @@ use super::names::{NodeRole, slot_of};
 use super::tree::Tree;
 use raconteur_body::skeleton::Bone;
 
-/// The part that each node plays.
+/// Assignment of the file's nodes to bones of a humanoid.
 pub(super) struct Humanoid {
     /// The joint of each bone.
     pub(super) bones: [Option<usize>; Bone::COUNT],

@@ -63,7 +63,7 @@ const MAX_NUMBERS: usize = 1 << 25;
 /// ```
 #[derive(Debug)]
 pub struct Imported {
-    /// The figure.
+    /// Figure converted to the engine's skeleton.
     pub figure: Figure,
     /// Degraded features; empty for Raconteur figures.
     pub diagnostics: Vec<Diagnostic>,

@@ -8,7 +8,7 @@ use raconteur_body::figure::{Image, Material, MaterialKind, TextureMaps};
 use raconteur_body::read::ReadError;
 use raconteur_body::read::accessor::Source;
 
-/// A surface and how its texture coordinates are made.
+/// Material of an imported primitive, with the set and transform of its texture coordinates.
 #[derive(Clone)]
 pub(super) struct Surface {
     pub(super) material: Material,
@@ -40,8 +40,8 @@ fn number(v: &Value, default: f64, what: &'static str) -> Result<f64, ReadError>
     }
 }
 
-/// Images of the file, with the index of each in the figure's list. Images other than PNG or JPEG
-/// are omitted, with a diagnostic if a surface would have used one.
+/// Images of an imported file, with the index of each in the figure's list. Images other than PNG
+/// or JPEG are omitted, with a diagnostic if a surface uses one.
 pub(super) struct ImageTable {
     pub(super) images: Vec<Image>,
     places: Vec<Option<usize>>,
@@ -125,7 +125,8 @@ impl ImageTable {
     }
 }
 
-/// KHR_texture_transform of a reference: scale, then rotation, then offset.
+/// Returns the `KHR_texture_transform` of a texture reference as a 2×3 matrix: scale, then
+/// rotation, then offset.
 fn transform(reference: &Value) -> Result<[[f64; 3]; 2], ReadError> {
     let t = &reference["extensions"]["KHR_texture_transform"];
     if !t.is_object() {
@@ -151,7 +152,7 @@ fn uv_set(reference: &Value) -> usize {
         .unwrap_or(0)
 }
 
-/// The surface of a primitive.
+/// Returns the material of a primitive and the mapping of its texture.
 pub(super) fn surface(
     json: &Value,
     material: Option<usize>,

@@ -8,20 +8,20 @@ use raconteur_base::Side;
 
 use raconteur_body::skeleton::Bone;
 
-/// Role derived from a node name.
+/// Role in a humanoid skeleton that a node name indicates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum NodeRole {
     /// A bone that has one joint.
     Bone(Bone),
-    /// One of the joints between hips and neck.
+    /// Joint of the spine between hips and neck.
     Torso,
     /// Finger joint: the name of the finger's first bone, and the index in the chain.
     Finger(Bone, u32),
     /// An eyeball.
     Eye(Side),
-    /// Some joint of an arm, from the upper arm on.
+    /// Joint of an arm, from the upper arm on.
     Arm(Side),
-    /// Some joint of a leg, from the hip on.
+    /// Joint of a leg, from the hip on.
     Leg(Side),
 }
 
@@ -109,8 +109,7 @@ fn on(side: Side, left: Bone) -> Bone {
     }
 }
 
-/// Lower-case words of a name: cut at signs, between letters and digits, and where a
-/// capital begins a word.
+/// Splits a name into lower-case words: at signs, between letters and digits, and before capitals.
 fn words(name: &str) -> Vec<String> {
     let own = name.rsplit([':', '|']).next().unwrap_or(name);
     let chars: Vec<char> = own.chars().take(120).collect();
@@ -150,7 +149,7 @@ struct ParsedName {
     side: Option<Side>,
     /// Joined words without the last number.
     stem: String,
-    /// That number's digits.
+    /// Digits of the number in the name, as written.
     digits: Option<String>,
 }
 

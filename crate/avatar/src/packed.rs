@@ -17,7 +17,8 @@ pub(super) fn is_fallback(buffer: &Value) -> bool {
     buffer["extensions"][EXTENSION]["fallback"].as_bool() == Some(true)
 }
 
-/// The bytes of a view, at most `most`, from its stream; `describe` is the stream's JSON.
+/// Decompresses a buffer view from its stream, at most `most` bytes; `describe` is the JSON of the
+/// compression extension.
 pub(super) fn unpack(
     view: &Value,
     describe: &Value,

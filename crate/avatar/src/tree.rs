@@ -4,7 +4,7 @@ use raconteur_base::{DAffine3, DVec3};
 
 use raconteur_body::read::document::Document;
 
-/// Node tree of a file, as used by the importer.
+/// Node tree of an imported file with world transforms and parents.
 pub(super) struct Tree<'a> {
     pub(super) root: &'a Document<'a>,
     /// World from node, in the file's own unit and facing.
@@ -44,7 +44,7 @@ impl<'a> Tree<'a> {
         self.world[node].translation
     }
 
-    /// A node and its ancestors, upwards.
+    /// Returns an iterator over a node and its ancestors, from the node to the root.
     pub(super) fn upwards(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
         core::iter::successors(Some(node), |&n| self.parents[n])
     }

@@ -2,7 +2,7 @@
 
 use crate::ops;
 
-/// Linear light of a value in sRGB; both 0 to 1 (IEC 61966-2-1).
+/// Converts an sRGB component to linear light; both 0 to 1 (IEC 61966-2-1).
 #[must_use]
 pub fn srgb_to_linear(value: f64) -> f64 {
     if value <= 0.040_45 {
@@ -12,7 +12,7 @@ pub fn srgb_to_linear(value: f64) -> f64 {
     }
 }
 
-/// The value in sRGB of linear light; both 0 to 1 (IEC 61966-2-1).
+/// Converts linear light to an sRGB component; both 0 to 1 (IEC 61966-2-1).
 #[must_use]
 pub fn linear_to_srgb(light: f64) -> f64 {
     if light <= 0.003_130_8 {

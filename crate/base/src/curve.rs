@@ -1,6 +1,6 @@
 //! Scalar curves over a normalised parameter, and keyed values over time.
 
-/// Linear interpolation from `a` to `b`.
+/// Returns the linear interpolation from `a` (`s` = 0) to `b` (`s` = 1).
 #[must_use]
 pub fn lerp(a: f64, b: f64, s: f64) -> f64 {
     a + (b - a) * s
@@ -15,24 +15,24 @@ pub fn ramp(from: f64, to: f64, x: f64) -> f64 {
     ((x - from) / (to - from)).clamp(0.0, 1.0)
 }
 
-/// Cubic Hermite step of `s` clamped to [0, 1]: zero slope at both ends.
+/// Returns the cubic Hermite step of `s` clamped to [0, 1]: 0 to 1 with zero slope at both ends.
 #[must_use]
 pub fn smooth(s: f64) -> f64 {
     let s = s.clamp(0.0, 1.0);
     s * s * (3.0 - 2.0 * s)
 }
 
-/// The minimum-jerk position profile of `s` clamped to [0, 1] (Flash and Hogan 1985,
-/// doi:10.1523/JNEUROSCI.05-07-01688.1985): speed and acceleration are zero at both
-/// ends, peak to mean speed is 1.875.
+/// Returns the minimum-jerk position profile of `s` clamped to [0, 1] (Flash and Hogan 1985,
+/// doi:10.1523/JNEUROSCI.05-07-01688.1985): speed and acceleration are zero at both ends, peak to
+/// mean speed is 1.875.
 #[must_use]
 pub fn minimum_jerk(s: f64) -> f64 {
     let s = s.clamp(0.0, 1.0);
     s * s * s * (s * (s * 6.0 - 15.0) + 10.0)
 }
 
-/// Cubic Hermite segment between values `a` and `b` with slopes `da` and `db` per
-/// unit of `s` in [0, 1].
+/// Returns a cubic Hermite segment between values `a` and `b` with slopes `da` and `db` per unit of
+/// `s` in [0, 1].
 #[must_use]
 pub fn hermite(a: f64, da: f64, b: f64, db: f64, s: f64) -> f64 {
     let s2 = s * s;

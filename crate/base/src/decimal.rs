@@ -16,8 +16,9 @@ const EXACT_POWERS: [f64; 23] = [
 /// Exponent limit: numbers with more places are zero or infinite.
 const MAX_PLACES: i32 = 400;
 
-/// Nearly every number: at most 15 digits and a point, without sign or exponent. Digits
-/// and power are exact in a float, so the one division rounds once (Clinger 1990).
+/// Parses a decimal of at most 15 digits and a point, without sign or exponent, as nearly all
+/// numbers are; otherwise `None`. Digits and power are exact floats, so the division rounds once
+/// (Clinger 1990).
 pub fn parse_short(text: &[u8]) -> Option<f64> {
     if text.len() > 15 {
         return None;
@@ -80,7 +81,7 @@ pub fn parse(text: &str) -> Option<f64> {
     any.then(|| sign * scaled(whole, exponent.clamp(-MAX_PLACES, MAX_PLACES)))
 }
 
-/// A value that is written as a word.
+/// Parses a value written as a word: `inf`, `infinity` or `nan` in any case; otherwise `None`.
 fn word(text: &[u8]) -> Option<f64> {
     let is = |name: &str| text.eq_ignore_ascii_case(name.as_bytes());
     if is("inf") || is("infinity") {
@@ -89,7 +90,7 @@ fn word(text: &[u8]) -> Option<f64> {
     is("nan").then_some(f64::NAN)
 }
 
-/// An exponent; those beyond any use are cut to some that are as good.
+/// Parses an exponent; one beyond the range of floats is clamped to an equivalent value.
 fn integer(text: &[u8]) -> Option<i32> {
     let (sign, digits) = match text {
         [b'-', rest @ ..] => (-1, rest),

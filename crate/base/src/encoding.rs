@@ -5,19 +5,19 @@ use std::fmt;
 /// Number of bytes of a text used to detect its encoding.
 const TELLING: usize = 256;
 
-/// Hint for fixing [`NotUtf8`].
+/// Hint for fixing [`NotUtf8`]: save the file as UTF-8.
 pub const SAVE_AS_UTF8: &str = "save the file as UTF-8";
 
-/// Error returned when bytes are not UTF-8 text.
+/// Error returned when bytes are not UTF-8 text, with the position of the first invalid byte.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotUtf8 {
     /// Offset of the first invalid byte.
     pub at: usize,
-    /// That byte.
+    /// First invalid byte.
     pub byte: u8,
-    /// Its line, from 1.
+    /// Line of the invalid byte, from 1.
     pub line: usize,
-    /// Its column in characters, from 1.
+    /// Column of the invalid byte in characters, from 1.
     pub column: usize,
     /// True if the whole text looks like UTF-16.
     pub is_utf16: bool,
@@ -44,7 +44,7 @@ impl fmt::Display for NotUtf8 {
 
 impl std::error::Error for NotUtf8 {}
 
-/// Bytes as text.
+/// Converts bytes to text, with the position of the first byte that is not UTF-8 on failure.
 ///
 /// # Errors
 /// Where they are not UTF-8, or look like UTF-16: that of ASCII characters without a byte

@@ -10,13 +10,14 @@ use core::ops::{Mul, Sub};
 
 use glam::{DQuat, DVec3};
 
-/// Vectors and quaternions with a Euclidean length.
+/// Euclidean length of vectors and quaternions, by the language's own square root, which rounds the
+/// same everywhere.
 pub trait Length: Copy + Mul<f64, Output = Self> + Sub<Output = Self> {
-    /// The square of the length.
+    /// Returns the squared length.
     #[must_use]
     fn squared(self) -> f64;
 
-    /// The length, in the unit of the components.
+    /// Returns the length, in the unit of the components.
     #[inline]
     #[must_use]
     fn magnitude(self) -> f64 {
@@ -30,7 +31,7 @@ pub trait Length: Copy + Mul<f64, Output = Self> + Sub<Output = Self> {
         (self - other).magnitude()
     }
 
-    /// The same direction with length 1; not finite for length 0.
+    /// Returns the vector or quaternion scaled to length 1; not finite for length 0.
     #[inline]
     #[must_use]
     fn normalized(self) -> Self {

@@ -32,7 +32,7 @@ pub use node::NodeState;
 /// Exact by definition.
 pub const METRES_PER_INCH: f64 = 0.0254;
 
-/// Side of the body. "Left" is always the character's left.
+/// Side of the body; "left" is always the character's left. Selects limbs, and the sign of x.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Side {
     /// The character's left, at positive x.
@@ -45,7 +45,7 @@ impl Side {
     /// Both sides, left first.
     pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
 
-    /// The other side.
+    /// Returns the opposite side.
     #[must_use]
     pub fn opposite(self) -> Self {
         match self {
@@ -54,7 +54,7 @@ impl Side {
         }
     }
 
-    /// +1 for left and −1 for right: the sign of x on that side.
+    /// Returns the sign of x on the side: +1 for left, −1 for right.
     #[must_use]
     pub fn sign(self) -> f64 {
         match self {
@@ -63,7 +63,7 @@ impl Side {
         }
     }
 
-    /// 0 for left and 1 for right, for arrays of two.
+    /// Returns the array index of the side: 0 for left, 1 for right.
     #[must_use]
     pub fn index(self) -> usize {
         match self {
@@ -73,7 +73,7 @@ impl Side {
     }
 }
 
-/// Mirrors a vector on the sagittal plane.
+/// Mirrors a vector in the sagittal plane, x to −x.
 #[must_use]
 pub fn mirror_vector(v: DVec3) -> DVec3 {
     DVec3::new(-v.x, v.y, v.z)

@@ -1,6 +1,7 @@
 //! Interface between a face's tissue and the renderers of its skin.
 
-/// A node of the tissue as it is now, in the figure's bind pose (before joints move it).
+/// Current state of a node of the facial tissue, in the figure's bind pose (before joints move it);
+/// the renderer deforms the skin by it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct NodeState {
@@ -11,6 +12,6 @@ pub struct NodeState {
     /// Strength of the expressive wrinkles there, 0 to 1: of the first to third channel of
     /// the wrinkle map.
     pub wrinkles: [f32; 3],
-    /// More (positive) or less blood in the skin than at rest, −1 to 1.
+    /// Change of the blood in the skin relative to rest, −1 (pale) to 1 (flushed).
     pub blush: f32,
 }

@@ -3,8 +3,8 @@
 //! No generator has a running state, because playing to a time and seeking to it must give the same
 //! value.
 
-/// A 64-bit hash of its three arguments (SplitMix64 finaliser, Steele et al. 2014,
-/// doi:10.1145/2660193.2660195).
+/// Returns a 64-bit hash of the three arguments (SplitMix64 finaliser, Steele et al. 2014,
+/// doi:10.1145/2660193.2660195), the base of all seeded noise. `bucket` is usually a time step.
 #[must_use]
 pub fn hash(seed: u64, id: u64, bucket: i64) -> u64 {
     let mut z = seed
@@ -19,29 +19,29 @@ pub fn hash(seed: u64, id: u64, bucket: i64) -> u64 {
     z
 }
 
-/// A uniform number in [0, 1).
+/// Returns a uniform pseudorandom number in [0, 1) for seed, stream `id` and time `bucket`.
 #[must_use]
 pub fn unit(seed: u64, id: u64, bucket: i64) -> f64 {
     (hash(seed, id, bucket) >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// A uniform number in [−1, 1).
+/// Returns a uniform pseudorandom number in [−1, 1) for seed, stream `id` and time `bucket`.
 #[must_use]
 pub fn signed(seed: u64, id: u64, bucket: i64) -> f64 {
     2.0 * unit(seed, id, bucket) - 1.0
 }
 
-/// A number about 0 with a variance of 1, nearly normal and within ±3.5, of four uniform ones in [0, 1): each of those has
-/// a variance of 1/12.
+/// Returns an approximately normal number with mean 0 and variance 1, within ±3.5, from four
+/// uniform numbers in [0, 1), each with variance 1/12.
 #[must_use]
 pub fn normal(uniform: [f64; 4]) -> f64 {
     let sum: f64 = uniform.iter().sum();
     (sum - 2.0) * 1.732
 }
 
-/// Gradient noise on a line (Perlin 2002, doi:10.1145/566570.566636): smooth to the
-/// second derivative, zero at the integers, within [−1, 1]. `x` has a period of
-/// about 1 in its own unit; scale time by the frequency before calling.
+/// Returns one-dimensional gradient noise (Perlin 2002, doi:10.1145/566570.566636) within [−1, 1]:
+/// smooth to the second derivative, zero at the integers. `x` has a period of about 1; scale time
+/// by the frequency before calling.
 #[must_use]
 pub fn perlin(seed: u64, id: u64, x: f64) -> f64 {
     let cell = x.floor();

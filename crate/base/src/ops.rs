@@ -5,19 +5,19 @@
 
 pub use libm::{acos, asin, atan, atan2, cbrt, cos, exp, hypot, log as ln, pow, sin, sincos, tan};
 
-/// `acos` of `x` clamped to [−1, 1]: rounding must not make a NaN of a right answer.
+/// Returns `acos` of `x` clamped to [−1, 1], radians; rounding errors do not give NaN.
 #[must_use]
 pub fn acos_clamped(x: f64) -> f64 {
     acos(x.clamp(-1.0, 1.0))
 }
 
-/// `asin` of `x` clamped to [−1, 1].
+/// Returns `asin` of `x` clamped to [−1, 1], radians.
 #[must_use]
 pub fn asin_clamped(x: f64) -> f64 {
     asin(x.clamp(-1.0, 1.0))
 }
 
-/// The angle in (−π, π] that equals `angle_rad` up to full turns.
+/// Returns the equivalent of an angle in (−π, π].
 #[must_use]
 pub fn wrap_angle(angle_rad: f64) -> f64 {
     use core::f64::consts::{PI, TAU};

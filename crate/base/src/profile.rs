@@ -8,7 +8,8 @@
 use crate::curve::{hermite, minimum_jerk};
 use crate::ops;
 
-/// The course of a movement between two keys.
+/// Motion profile between two keys: share of the distance covered at a share of the time (GEVH
+/// 3.5.1).
 ///
 /// # Examples
 ///
@@ -21,12 +22,12 @@ use crate::ops;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Profile {
-    /// As people move their hands: [`minimum_jerk`].
+    /// Minimum jerk ([`minimum_jerk`]), the profile of human hand movements.
     #[default]
     MinimumJerk,
-    /// At constant speed.
+    /// Constant speed.
     Linear,
-    /// Half a period of a cosine: at rest at both ends.
+    /// Half a period of a cosine; zero speed at both ends.
     Cosine,
     /// A cubic Bézier curve from (0, 0) to (1, 1) with the control points (x1, y1) and (x2, y2): x
     /// is the share of time, clamped to 0..1, y that of the distance, which may overshoot.
@@ -84,7 +85,8 @@ impl Profile {
     }
 }
 
-/// One coordinate of a cubic Bézier curve from 0 to 1.
+/// Returns one coordinate of a cubic Bézier curve from 0 to 1 at parameter `u`, with inner control
+/// values `a` and `b`.
 fn bezier(a: f64, b: f64, u: f64) -> f64 {
     let v = 1.0 - u;
     u * (3.0 * v * (v * a + u * b) + u * u)

@@ -34,7 +34,7 @@ pub fn crossings(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<[usize; 2]> {
     TriangleTree::from_triangles(points, triangles).crossings(points, &ViewedSurface::All)
 }
 
-/// Part of a surface to search.
+/// Part of a surface in which to search for self-intersections.
 #[derive(Clone, Debug)]
 pub enum ViewedSurface<'v> {
     /// Everywhere.
@@ -42,12 +42,12 @@ pub enum ViewedSurface<'v> {
     /// Folds only: a part whose normals all point to one side of some plane does not cross itself
     /// (Volino and Magnenat Thalmann 1994, doi:10.1111/1467-8659.1330155), and takes no time.
     Folds,
-    /// In folds, and there only pairs of which one has a marked vertex.
+    /// Folds only, and only pairs of triangles with at least one marked vertex.
     FoldsAt(&'v [bool]),
 }
 
-/// Bounding volume hierarchy of triangles. Built from one shape of a surface, it serves others too,
-/// faster the more similar they are.
+/// Bounding volume hierarchy of triangles that finds self-intersections. Built from one shape of a
+/// surface, it also serves others; the more similar they are, the faster.
 #[derive(Clone, Debug)]
 pub struct TriangleTree {
     triangles: Vec<[u32; 3]>,
@@ -59,10 +59,10 @@ pub struct TriangleTree {
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    /// Its triangles in the order.
+    /// First triangle of the node in the sorted order.
     from: u32,
     to: u32,
-    /// Its right part; 0 for a leaf.
+    /// Index of the right child; 0 for a leaf.
     right: u32,
 }
 
@@ -123,7 +123,7 @@ impl NodeBounds {
 struct CrossingQuery<'t> {
     tree: &'t TriangleTree,
     points: &'t [DVec3],
-    /// Of each triangle in the order.
+    /// Bounds of each triangle in the sorted order.
     leaves: Vec<NodeBounds>,
     bounds: Vec<NodeBounds>,
     in_folds: bool,

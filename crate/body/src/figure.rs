@@ -14,7 +14,7 @@ pub const MOUTH_CLOSE_RAD: f64 = 0.2;
 /// full opening looks like 20° on a face of usual build. Designed.
 pub const JAW_OPEN_RAD: f64 = 0.35;
 
-/// Shading model of a surface. The renderer's own models replace glTF's for these.
+/// Shading model of a surface. For these kinds the renderer uses its own models instead of glTF's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum MaterialKind {
     /// Skin; vertex colour carries the tone, its alpha the occlusion.
@@ -53,7 +53,7 @@ pub enum MaterialKind {
 }
 
 impl MaterialKind {
-    /// Every kind with its name in glTF (`extras.kind`).
+    /// All kinds with their names in glTF (`extras.kind`).
     pub const NAMES: [(Self, &'static str); 16] = [
         (Self::Skin, "skin"),
         (Self::Eye, "eye"),
@@ -89,7 +89,7 @@ impl MaterialKind {
     }
 }
 
-/// Textures of a surface, as indices into [`Figure::images`].
+/// Textures of a material, as indices into [`Figure::images`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TextureMaps {
     /// sRGB colour and alpha; multiplies the vertex colour and the base colour.
@@ -111,24 +111,24 @@ pub struct TextureMaps {
 /// that profilometry finds in deep lines of old faces.
 pub const WRINKLE_HEIGHT_M: f32 = 0.001;
 
-/// A compressed image included in a figure. The renderer's host decodes it; a browser has better
-/// decoders.
+/// Compressed image in a figure file. The host of the renderer decodes it, since browsers have
+/// better decoders.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
-    /// `image/png` or `image/jpeg`.
+    /// Media type of the image: `image/png` or `image/jpeg`.
     pub mime_type: String,
-    /// The file's bytes.
+    /// Contents of the image file.
     pub bytes: Vec<u8>,
 }
 
-/// Surface of a mesh.
+/// Material of a mesh: shading model, colour, roughness and textures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// Shading model.
+    /// Shading model of the surface.
     pub kind: MaterialKind,
     /// Linear RGB and alpha, each 0..1; multiplies the vertex colour.
     pub base_color: [f32; 4],
-    /// Perceptual roughness, 0..1.
+    /// Perceptual roughness of the surface, 0..1.
     pub roughness: f32,
     /// Enables rendering of both sides.
     pub double_sided: bool,
@@ -136,12 +136,12 @@ pub struct Material {
     pub maps: TextureMaps,
 }
 
-/// One morph target's part in one mesh, sparse.
+/// Sparse morph target data of one mesh: changed vertices with position and normal deltas.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Morph {
-    /// Index into [`Figure::morph_names`].
+    /// Index of the morph target in [`Figure::morph_names`].
     pub target: usize,
-    /// Vertices it moves.
+    /// Indices of the vertices that the morph moves.
     pub vertices: Vec<u32>,
     /// Displacement of each at weight 1, bind pose, metres.
     pub position_deltas: Vec<[f32; 3]>,
@@ -149,22 +149,22 @@ pub struct Morph {
     pub normal_deltas: Vec<[f32; 3]>,
 }
 
-/// One drawable part, in the bind pose, world frame.
+/// Drawable part of a figure with one material, in the bind pose, world frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     /// Name, for example `head`.
     pub name: String,
-    /// Surface.
+    /// Material of the mesh.
     pub material: Material,
-    /// Positions, metres.
+    /// Vertex positions, bind pose, world frame, metres.
     pub positions: Vec<[f32; 3]>,
-    /// Unit normals.
+    /// Unit normals of the vertices.
     pub normals: Vec<[f32; 3]>,
     /// Texture coordinates; meaning by [`MaterialKind`].
     pub uvs: Vec<[f32; 2]>,
     /// Linear RGB and occlusion, 0..255.
     pub colors: Vec<[u8; 4]>,
-    /// Up to four joints a vertex, indices into the skeleton's joints.
+    /// Up to four joints per vertex, as indices into the skeleton's joints.
     pub joints: Vec<[u16; 4]>,
     /// Their weights, summing to 1.
     pub weights: Vec<[f32; 4]>,
@@ -262,16 +262,17 @@ impl Mesh {
     }
 }
 
-/// A figure ready to be posed and rendered.
+/// Figure ready to be posed and rendered: skeleton, meshes, morph targets, facial tissue, spring
+/// chains and textures.
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// Name, for example `sofia`.
     pub name: String,
-    /// Joints.
+    /// Skeleton with all joints.
     pub skeleton: Skeleton,
     /// Joint from world in the bind pose, one for each joint of the skeleton.
     pub inverse_bind: Vec<DAffine3>,
-    /// Parts.
+    /// Drawable parts of the figure.
     pub meshes: Vec<Mesh>,
     /// Names of the morph targets: ARKit's where one fits (`mouthPucker`, `browInnerUp` …).
     pub morph_names: Vec<String>,
@@ -290,7 +291,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// Index of a morph target by name.
+    /// Returns the index of a morph target by name; `None` if the figure lacks it.
     #[must_use]
     pub fn morph_index(&self, name: &str) -> Option<usize> {
         self.morph_names.iter().position(|n| n == name)

@@ -1,4 +1,4 @@
-//! A map as a sorted list: built at once, read often.
+//! Map as a sorted list: built once, read often.
 
 use std::borrow::Borrow;
 

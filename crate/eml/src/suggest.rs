@@ -1,4 +1,4 @@
-//! The nearest of some known names, for hints.
+//! Nearest known names, for hints.
 
 use crate::work::step;
 
@@ -22,7 +22,7 @@ pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) ->
             let longer = name.len().max(c.len());
             d < longer && d <= (longer / 3).max(1)
         })
-        // Of names that differ in their case alone, the one written as `name` is.
+        // Among names that differ only in case, the one written as `name` is selected.
         .min_by_key(|&(d, c)| (d, capitals(name).abs_diff(capitals(c))))
         .map(|(_, c)| c)
 }
@@ -75,7 +75,7 @@ pub fn quoted(name: &str) -> String {
     };
     let mut quoted = String::from("`");
     for c in shown.chars() {
-        // Names of characters by the standard library would bring tables of all of them.
+        // The standard library's character names would add tables of all characters.
         if c.is_control() {
             quoted.extend(c.escape_default());
         } else {

@@ -225,7 +225,7 @@ impl<'a> Lexer<'a> {
     }
 
     fn skip_space(&mut self) {
-        // What mostly follows is no space.
+        // The next character is rarely a space.
         if !self.rest().starts_with(|c: char| c.is_ascii_graphic()) {
             self.take(char::is_whitespace);
         }

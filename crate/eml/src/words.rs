@@ -1,4 +1,4 @@
-//! Bounds on how much a document says: what times, captions and lips cost grows with its words.
+//! Limits on the speech of a document: the costs of times, captions and lips grow with its words.
 
 use std::ops::ControlFlow;
 
@@ -12,8 +12,8 @@ use crate::{
 /// Pauses, recordings and events go with the words that they stood between; time markers stay, and
 /// name the end of the clause.
 pub(crate) fn enforce_limits(document: &mut Document, limits: &Limits, sink: &mut Sink) {
-    // A word takes a byte and one of white space, or the end of its piece: after a pause the next
-    // word begins without one. So most documents need no counting.
+    // A word takes one byte and one of white space, or the end of its piece: after a pause, the
+    // next word begins without white space. Most documents therefore need no counting.
     let most = |clause: &Clause| match &clause.kind {
         ClauseKind::VoiceText(text) => text.pieces.iter().map(most_words).sum::<usize>(),
         ClauseKind::VoiceSay(say) => say.content.len().div_ceil(2),
@@ -97,7 +97,7 @@ fn hold_text(text: &mut VoiceText, allowed: usize) -> (usize, Option<Span>) {
     };
     text.pieces.retain_mut(|piece| match piece {
         TextSegment::Text { text, span, .. } => {
-            // A word begins inside verbatim text alone: a reference is one character.
+            // A word begins only inside verbatim text: a reference is one character.
             if span.end > rest.start
                 && span.start < rest.start
                 && let Some(head) = text.get(..(rest.start - span.start) as usize)
@@ -267,7 +267,7 @@ mod tests {
             panic!("no text");
         };
         assert_eq!(text.plain_text(), "one two");
-        // A moment that others may wait for is still there, at the end.
+        // A time that other clauses can refer to still exists, at the end.
         assert_eq!(text.marks()[0].word, 2);
     }
 }

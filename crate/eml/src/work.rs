@@ -1,4 +1,4 @@
-//! Counts the work on a document in tests, where a clock would mostly measure the machine.
+//! Counter of the work on a document in tests; a clock would mostly measure the machine.
 
 /// Counts steps: bytes scanned, comparisons, entries created.
 #[cfg(not(test))]
@@ -56,7 +56,7 @@ mod tests {
     fn work_grows_with_the_script_and_no_faster() {
         let [small, large] = [100, 10_000].map(|clauses| steps(script(clauses).as_bytes()));
         let ratio = large as f64 / small as f64;
-        // The names' logarithm is all that may come on top of the hundredfold.
+        // Only the names' logarithm may exceed the hundredfold.
         assert!((90.0..130.0).contains(&ratio), "{ratio}");
     }
 

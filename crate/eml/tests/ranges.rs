@@ -1,5 +1,5 @@
-//! Every attribute that the table bounds is held to its bounds: a value beyond them is reported
-//! exactly once, whatever the element. The elements' own examples are the texts.
+//! Attribute limits: a value beyond the limits of the table is reported exactly once, in any
+//! element. The texts are the elements' own examples.
 
 use raconteur_eml::parse;
 use raconteur_eml::reference::whole_example;
@@ -37,7 +37,7 @@ fn beyond(kind: Kind) -> Vec<String> {
         Kind::Color => all(&["#fffff", "#ggffff"]),
         Kind::Path => all(&["../x", "/x"]),
         Kind::Url => all(&["file:///x"]),
-        // Elements that others name, and attributes that are read together with others.
+        // Elements with references to them, and attributes that are read together with others.
         Kind::Name | Kind::Identifier | Kind::Text | Kind::Time => Vec::new(),
         Kind::NumberOrBool | Kind::NumberOrText | Kind::Numbers => Vec::new(),
     }

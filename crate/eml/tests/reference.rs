@@ -1,5 +1,5 @@
-//! The reference page, the schema and the description for editors are what the table
-//! says, and every example plays without fault. `UPDATE=1` writes them anew.
+//! The reference page, the schema and the description for editors match the table, and every
+//! example plays without errors. `UPDATE=1` writes them again.
 
 use raconteur_eml::reference::{CODES, json, markdown, relax_ng, whole_example};
 use raconteur_eml::schema::ELEMENTS;

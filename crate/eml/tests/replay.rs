@@ -1,4 +1,4 @@
-//! The corpora of the fuzz targets, and what fuzzing has found, once more.
+//! Replay of the fuzz targets' corpora and of earlier findings.
 
 mod holds;
 

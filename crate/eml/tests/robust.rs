@@ -1,4 +1,4 @@
-//! Whatever the input: no panic, no hang, bounded memory, and times that hold together.
+//! Robustness for any input: no panic, no hang, bounded memory, and consistent times.
 
 #[path = "holds/edits.rs"]
 mod edits;
@@ -59,7 +59,7 @@ proptest! {
                 .iter()
                 .enumerate()
                 .map(|(i, &(kind, time, other))| {
-                    // Only references backwards, so that there are no cycles.
+                    // Only backward references, so that there are no cycles.
                     let time = match i.checked_sub(other + 1) {
                         Some(earlier) if other < 4 => format!("n{earlier}+{time}"),
                         _ => format!("{}", time + shift),
@@ -177,7 +177,7 @@ fn extensions_are_suggested_under_near_names() {
         .filter(|e| e.extension && e.is_clause())
     {
         let name = element.name;
-        // What is left of a short name is no slip of it.
+        // The remainder of a short name is not a misspelling of it.
         let slip = (name.len() > 4).then(|| format!("{}{}", &name[..2], &name[3..]));
         let whole = [name.to_owned(), format!("expression-{name}")];
         for written in whole.into_iter().chain(slip) {

@@ -1,14 +1,12 @@
-//! Runs `tests/suite/eml`: one concept a file.
+//! Runs `tests/suite/eml`: one concept per file.
 //!
-//! The last lines of a case say what diagnostics it gives, in order:
-//! `<!-- error eml::code line:column message -->`. They are cut off before the case
-//! is read, so that a case may also be no XML at all. A `.timeline` file beside a
-//! case holds its timeline. `UPDATE=1` writes both anew (a timeline only where a
-//! file, perhaps an empty one, is there already); the change is to be read before it
-//! is committed.
+//! The last lines of a case specify its diagnostics, in order: `<!-- error eml::code line:column
+//! message -->`. They are removed before the case is read, so that a case need not be XML. A
+//! `.timeline` file next to a case contains its timeline. `UPDATE=1` writes both again (a timeline
+//! only where a file, possibly empty, exists); review the change before committing it.
 //!
-//! `<!-- limits: clauses=3 -->` in a case lowers limits, `<!-- phones: letters -->` gives
-//! every word its letters as phones.
+//! `<!-- limits: clauses=3 -->` in a case lowers limits, `<!-- phones: letters -->` gives every
+//! word its letters as phones.
 
 use raconteur_eml::schema::ELEMENTS;
 use raconteur_eml::{
@@ -216,7 +214,7 @@ const INCONSISTENCIES: [(&str, &str); 30] = [
 fn the_suite_covers_the_language() {
     let mut tags: BTreeSet<(String, String)> = BTreeSet::new();
     let mut texts = String::new();
-    // What the cases report, not what they say that they do.
+    // The reported diagnostics of the cases, not the specified ones.
     let mut reported = String::new();
     let mut names = BTreeSet::new();
     for case in cases() {
@@ -244,7 +242,7 @@ fn the_suite_covers_the_language() {
         }
         for attribute in element.all_attributes() {
             for name in attribute.aliases.iter().chain([&attribute.name]) {
-                // What all clauses have need not be shown for each.
+                // The attributes of all clauses need no example for each element.
                 let timed = ["time", "timeId"].contains(name);
                 if !timed && !has(element.name, name) {
                     missing.push(format!("<{} {name}>", element.name));

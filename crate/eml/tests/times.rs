@@ -1,4 +1,4 @@
-//! What times mean, with speech whose words and phones are known (GEVH D.2, D.4.3).
+//! Meaning of times, with speech of known words and phones (GEVH D.2, D.4.3).
 
 use proptest::prelude::*;
 use raconteur_eml::{
@@ -147,7 +147,7 @@ fn nested_repetitions_beyond_the_limit_play_once_and_cost_nothing() {
         "{billions}<event time='1'/>{}<par time='0' duration='1' repetitionCount='4000000000'/>",
         "</seq>".repeat(depth)
     ));
-    // Every clause once: nothing was expanded, neither in the list nor on the way.
+    // Each clause occurs once: nothing was expanded, neither in the list nor before.
     assert_eq!(resolved.timeline.clauses.len(), depth + 2);
     let codes: Vec<&str> = resolved.diagnostics.iter().map(|d| d.code).collect();
     let (last, told) = codes.split_last().expect("diagnostics");

@@ -1,5 +1,5 @@
-//! The course of a life: how the mean face of people goes with their years. Growth is no ageing, and neither
-//! is straight, so that no direction tells them.
+//! Ageing: the mean face of people as a function of their years. Growth is not ageing, and neither
+//! is linear, so no single direction describes them.
 
 #[cfg(any(test, feature = "learn"))]
 use crate::person::PersonRecord;
@@ -42,7 +42,7 @@ impl AgeModel {
     #[must_use]
     pub fn learn(people: &[PersonRecord], faces: &[Vec<f64>]) -> Self {
         use faer::linalg::solvers::Solve as _;
-        // The mean, sex and two ancestries beside the terms.
+        // The mean, sex and two ancestries in addition to the terms.
         const ALL: usize = TERMS + 4;
         if people.len() <= 2 * ALL || people.len() != faces.len() {
             return Self::default();
@@ -107,7 +107,8 @@ mod tests {
     #[cfg(feature = "learn")]
     fn a_life_is_told_from_people_of_all_ages() {
         let people = people();
-        // A number that grows to 20 years, and another that begins at 20 and goes faster for women.
+        // One number that grows up to 20 years, and another that starts at 20 and grows faster for
+        // women.
         let face = |p: &PersonRecord| {
             let noise = 0.1 * noise::signed(3, (p.age_years * 1e6) as u64, 0);
             let late = (p.age_years - GROWN_YEARS).max(0.0) / AGEING_YEARS;

@@ -1,5 +1,5 @@
-//! Facial attributes (F&H 3.2.2): directions of face space along which one thing about a face
-//! changes and everything else as little as examples let it.
+//! Facial attributes (F&H 3.2.2): directions of face space along which one property of a face
+//! changes and all others change as little as the examples permit.
 
 mod apart;
 
@@ -59,7 +59,7 @@ impl Attribute {
             change: Vec::new(),
             direction,
         };
-        // N/‖w‖² where all modes are there; where some were left out, what they would have told.
+        // N/‖w‖² if all modes are present; if some were omitted, their share is restored.
         attribute.change = attribute.with_all(space);
         if attribute.change.iter().all(|c| c.is_finite()) {
             Ok(attribute)

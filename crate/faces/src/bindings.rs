@@ -1,4 +1,5 @@
-//! What a page calls: a face being edited. The wasm file is apart from the player's.
+//! Functions exported to web pages: a face being edited. The wasm file is separate from the
+//! player's.
 
 use std::cell::RefCell;
 

@@ -1,9 +1,9 @@
 //! Blending at the borders of segments: wide for coarse form and narrow for fine, after Burt and
-//! Adelson 1983 (doi:10.1145/245.247), on a mesh instead of a picture.
+//! Adelson 1983 (doi:10.1145/245.247), on a mesh instead of an image.
 //!
-//! A difference between two faces is taken apart into bands: what a mean over neighbours takes away
-//! from it, and again from what is left. Each band is let in by a mask that was smoothed as far as the
-//! band is coarse, and the bands are added again.
+//! A difference between two faces is split into bands: the part removed by a mean over neighbours,
+//! and again from the remainder. Each band is masked by a weight smoothed according to its
+//! coarseness, and the bands are added.
 
 use core::cmp::Reverse;
 use std::collections::BinaryHeap;

@@ -1,5 +1,5 @@
-//! Changes of faces that were asked for lately: a slider that moves asks for the same again and again, and a history that
-//! is opened for a few in turns.
+//! Cache of recent changes: a moving slider repeats the same requests, and so does navigating
+//! between a few states of the history.
 
 use crate::edit::{Change, Face, Part};
 

@@ -1,7 +1,7 @@
-//! Editing a face (F&H 5.1): attributes, features of other faces, caricature, moves, for the whole
-//! face or segments of it, of shape and texture apart.
+//! Face editing (F&H 5.1): attributes, features of other faces, caricature, moves, for the whole
+//! face or segments of it, separately for shape and texture.
 //!
-//! An edited face need not lie in the spaces any more, and so it is kept as all of its numbers.
+//! An edited face may leave the spaces, so it is stored as all of its numbers.
 
 mod affine;
 mod constrain;

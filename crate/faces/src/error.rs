@@ -1,4 +1,4 @@
-//! Why a face model could not be made or used.
+//! Errors of creating or using a face model.
 
 /// Error returned when a face model cannot be created or used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,5 +1,6 @@
-//! Features: attributes that are one thing at one place of the face. Such an attribute is measured on the
-//! skin itself, and it can change alone: let into its segments, and what lies elsewhere stays (F&H 5.1.2).
+//! Features: attributes of one part of the face. Such an attribute is measured on the skin itself,
+//! and it can change separately: the change is masked by its segments, and the rest stays (F&H
+//! 5.1.2).
 
 use crate::segment::Half;
 

@@ -1,9 +1,9 @@
 //! Faces as numbers: a morphable model (F&H 3.2 and 5.1).
 //!
-//! Does: spaces of shape and texture over faces that correspond, attributes learned from labels, and
-//! constraints that hold them; ratings of people that such labels come from; segments and how they are
-//! blended; a file for all of it.
-//! Does not: make examples (`sculpt` does), draw, or know of pages.
+//! Scope: spaces of shape and texture over corresponding faces, attributes learned from labels, and
+//! their constraints; people's ratings as the source of such labels; segments and their blending; a
+//! file for all of it.
+//! Out of scope: example generation (`sculpt`), rendering, and web pages.
 
 mod age_model;
 mod attribute;

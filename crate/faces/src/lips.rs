@@ -1,7 +1,8 @@
-//! Keeps the lips of a face apart. Faces are sums, and a sum of faces with closed lips need not have closed
-//! lips: where the upper one would lie in the lower one, both give way.
+//! Lip separation of a face. Faces are sums, and a sum of faces with closed lips need not have
+//! closed lips: where the upper lip would penetrate the lower one, both yield.
 //!
-//! Between closed lips the skin lies nearly level, so that each is told by its height over the plane of x and z.
+//! Between closed lips the skin is nearly level, so each lip is represented by its height over the
+//! plane of x and z.
 
 use std::collections::BTreeMap;
 
@@ -97,7 +98,7 @@ fn missing(places: &[Place], own: &Lip, other: &Lip) -> Vec<(u32, f64)> {
     let one = |&v: &u32| {
         let p = places[v as usize];
         let heights = cells.triangles_at(p).filter_map(|t| height(places, t, p));
-        // What of the other lip is nearest to this one at the place.
+        // The part of the other lip nearest to this one at this position.
         let nearest = heights
             .map(|y| own.up * (y - p[1]) + GAP_M)
             .fold(f64::MIN, f64::max);
@@ -161,7 +162,7 @@ impl<'t> Cells<'t> {
                 let all = corners.map(|p| cell(p[k]));
                 all.into_iter().min().unwrap_or(0)..=all.into_iter().max().unwrap_or(0)
             };
-            // A lip that was torn apart lies over no cell.
+            // A lip that was torn apart covers no cell.
             if range(0).count() > 20 || range(2).count() > 20 {
                 continue;
             }

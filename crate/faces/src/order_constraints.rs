@@ -1,6 +1,7 @@
-//! Keeps skin out of skin. Faces are sums, and a sum of faces with closed lips need not have closed lips: what lies
-//! near in a head that was made as a whole, lip and lip, lid and lid, the sides of a nostril's wing, keeps its order,
-//! and no part of the skin is turned over. What would be, gives way, and takes along what lies about it.
+//! Order constraints that keep skin out of skin. Faces are sums, and a sum of faces with closed
+//! lips need not have closed lips: parts that are near each other in a whole head (lip and lip, lid
+//! and lid, the sides of a nostril's wing) keep their order, and no part of the skin is turned
+//! over. Violating parts yield and take their surroundings along.
 
 use std::collections::BTreeMap;
 
@@ -116,7 +117,7 @@ impl OrderConstraints {
         }
         let mut places: Vec<Place> = shape.as_chunks::<3>().0.to_vec();
         let mut is_any = false;
-        // What no vertex of has moved since it was in order still is.
+        // Pairs whose vertices have not moved since the last check are still in order.
         let mut pairs: Vec<u32> = (0..self.pairs.len() as u32).collect();
         let mut triangles: Vec<u32> = (0..self.triangles.len() as u32).collect();
         for _ in 0..ROUNDS {
@@ -176,7 +177,7 @@ impl OrderConstraints {
                 moved[v as usize] = true;
                 points[v as usize] = DVec3::from_array(places[v as usize]);
             }
-            // What no vertex of has moved is as it was.
+            // Triangles whose vertices have not moved are unchanged.
             found = self
                 .tree
                 .crossings(&points, &ViewedSurface::FoldsAt(&moved));
@@ -220,7 +221,7 @@ impl OrderConstraints {
                 *count += 1.0;
             }
         }
-        // What lies about a vertex goes along by half, where it does not go by itself.
+        // Neighbours of a moved vertex move by half unless they move themselves.
         let mut about: BTreeMap<u32, (Place, f64)> = BTreeMap::new();
         for (&v, (way, count)) in &ways {
             for &n in self.neighbours.of_vertex(v as usize) {
@@ -372,7 +373,8 @@ fn pairs(
         let (n, m) = (of_vertex[v as usize], of_vertex[other as usize]);
         let against = dot(n, m) / (dot(n, n) * dot(m, m)).sqrt().max(f64::MIN_POSITIVE);
         let is_near = length > SAME_M && length < NEAR_M && against < -0.3;
-        // Across a fold, not along the skin: one looks along the way, or against it.
+        // The direction crosses a fold rather than following the skin: the normal is along it or
+        // against it.
         let along = dot(n, way).abs() / (dot(n, n).sqrt() * length).max(f64::MIN_POSITIVE);
         if is_near && along > 0.5 && !neighbours.of_vertex(v as usize).contains(&other) {
             found.push(Pair {
@@ -411,7 +413,7 @@ mod tests {
                 let [a, b, c, d] =
                     [(x, z), (x + 1, z), (x, z + 1), (x + 1, z + 1)].map(|(x, z)| at(sheet, x, z));
                 let pair = [[a, c, b], [b, c, d]];
-                // The lower one looks up, the upper one down.
+                // The lower lip faces up, the upper one down.
                 triangles.extend(if sheet == 0 {
                     pair
                 } else {

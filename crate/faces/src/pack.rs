@@ -1,8 +1,8 @@
-//! A face model in files: a part for shape, which is enough to begin with, and a part for texture.
+//! Files of a face model: a part for shape, which suffices to start, and a part for texture.
 //!
-//! Modes are stored in one byte a number, each mode with a step of its own: a 127th of its largest
-//! number. The rest is in single precision. Read and written by `postcard`, after eight bytes that
-//! name the format, its version and the part.
+//! Modes are stored as one byte per number, each mode with its own step: a 127th of its largest
+//! number. The rest is in single precision. `postcard` reads and writes it, after eight bytes that
+//! specify the format, its version and the part.
 
 mod stored;
 #[cfg(test)]

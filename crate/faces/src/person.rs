@@ -1,4 +1,4 @@
-//! Who faces are.
+//! Records of the people of faces.
 
 /// Record of the person of a database face (F&H 5.1.1).
 #[derive(Clone, Copy, Debug, PartialEq)]

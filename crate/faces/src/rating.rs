@@ -1,5 +1,5 @@
-//! What people think of faces (F&H 3.2.2): ratings of the examples, how far the raters agree, and the
-//! labels that attributes are learned from.
+//! Impressions of faces (F&H 3.2.2): ratings of the examples, agreement of the raters, and the
+//! labels for learning attributes.
 
 mod table;
 
@@ -136,7 +136,7 @@ fn correlations(table: &[Vec<f64>]) -> [Option<f64>; 2] {
     });
     let error = rest.map(|x| x * x).sum::<f64>() / ((faces - 1.0) * (raters - 1.0));
     let bias = (between_raters - error) / faces;
-    // Estimates of variances may sum to less than nothing, where raters contradict each other.
+    // Estimated variances may have a negative sum where raters contradict each other.
     let ratio = |whole: f64| (whole > MIN_SQUARE).then_some((between_faces - error) / whole);
     [
         ratio(between_faces + (raters - 1.0) * error + raters * bias),
@@ -200,7 +200,7 @@ mod tests {
             (all.average.expect("known") - 0.62005).abs() < 1e-5,
             "{all:?}"
         );
-        // What not all have rated does not count.
+        // Faces without a rating by every rater are excluded.
         lines.push(("one", 9, 3.0));
         lines.push(("two", 9, -3.0));
         assert_eq!(rated(&lines).agreement(), all);
@@ -218,7 +218,7 @@ mod tests {
         assert_eq!(told(&[("a", 0, 1.0), ("b", 0, 1.0)]), (2, 1, None, None));
         let same = [("a", 0, 1.1), ("a", 1, 1.1), ("b", 0, 1.1), ("b", 1, 1.1)];
         assert_eq!(told(&same), (2, 2, None, None));
-        // The formula would say 2.
+        // The formula would give 2.
         let against = [("a", 0, 1.0), ("a", 1, -1.0), ("b", 0, -1.0), ("b", 1, 1.0)];
         assert_eq!(told(&against).3, None);
     }
@@ -241,7 +241,7 @@ mod tests {
                 *value = 0.25 * *value + 1.5;
             }
         }
-        // One who says the same of all, and one who has seen but one face, say nothing.
+        // A rater who gives equal ratings and one who has rated a single face contribute nothing.
         other.extend((0..6).map(|face| ("same", face, 2.2)));
         other.push(("seldom", 3, -3.0));
         let again = rated(&other).labels(8);

@@ -1,4 +1,4 @@
-//! Faces for tests: numbers that look random, whose spread falls off as that of faces does.
+//! Faces for tests: pseudo-random numbers whose spread decreases as that of faces does.
 
 use raconteur_base::noise;
 

@@ -1,4 +1,4 @@
-//! Segments of the face (F&H 5.1.2, Table 5.1): parts that can be changed while the others stay.
+//! Segments of the face (F&H 5.1.2, Table 5.1): parts that can change while the others stay.
 
 use serde::{Deserialize, Serialize};
 

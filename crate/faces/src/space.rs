@@ -1,8 +1,8 @@
 //! Face space (F&H 3.2.1, after Blanz and Vetter 1999, doi:10.1145/311535.311556): the mean of
-//! corresponding faces and the principal components of what tells each from it.
+//! corresponding faces and the principal components of their differences from it.
 //!
-//! A face is a vector of numbers: the coordinates of its vertices one after another, or the values
-//! of its texture. Shape and texture have a space each.
+//! A face is a vector of numbers: the coordinates of its vertices in order, or the values of its
+//! texture. Shape and texture have separate spaces.
 
 #[cfg(any(test, feature = "learn"))]
 mod local;
@@ -291,7 +291,7 @@ fn decompose(columns: &faer::Mat<f64>, most: usize) -> Result<(Vec<f64>, Vec<f64
     let mut vectors = Vec::with_capacity(kept * columns.nrows());
     for column in 0..kept {
         let vector = svd.U().col(column);
-        // Either sense is a principal component; this one does not hang on the decomposition.
+        // Both signs are principal components; this choice does not depend on the decomposition.
         let sense = vector.iter().fold(
             0.0_f64,
             |most, x| {

@@ -1,4 +1,4 @@
-//! Alone means alone: one more of a feature moves its own segment, and what lies elsewhere stays.
+//! Separate features: a feature moves its own segment, and the rest stays.
 
 mod common;
 

@@ -1,4 +1,5 @@
-//! What fuzzing of packs found is read or refused, and what was read can be written and read again.
+//! Replay of packs found by fuzzing: each is read or rejected, and a read pack can be written and
+//! read again.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What F&H saw in their model, in ours.
+//! Observations of F&H about their model, checked in this one.
 
 mod common;
 
@@ -68,7 +68,7 @@ fn features_change_apart() {
         sums = [sums[0] + apart, sums[1] + with_all];
         worse += usize::from(apart >= with_all);
     }
-    // What is a share of the height of the face changes with others that are.
+    // Features measured relative to the height of the face change with others of that kind.
     assert!(worse <= 3, "{worse}");
     assert!(sums[0] < 0.5 * sums[1], "{sums:?}");
 }

@@ -1,12 +1,12 @@
-//! From a story's text to frames.
+//! Conversion of a story's text to frames.
 //!
-//! Does: reads a script with its speech bundle ([`Script`]), lowers the timeline to plans of
-//! the actor, and evaluates the [`stage::Frame`] of any time ([`Player`]); captions, cues and
-//! digests; performs clauses that come while the story plays ([`live`]).
-//! Does not: draw, play sound, read files or keep a clock: time is an argument.
+//! Scope: reading a script with its speech bundle ([`Script`]), lowering the timeline to plans of
+//! the actor, and evaluating the [`stage::Frame`] of any time ([`Player`]); captions, cues and
+//! digests; performing clauses that arrive while the story plays ([`live`]).
+//! Out of scope: rendering, audio playback, file access and a clock: time is an argument.
 //!
-//! With `eml`, this is the only crate that knows EML. It re-exports its neighbours for
-//! the browser bindings, which depend on no other of them.
+//! With `eml`, this is the only crate that knows EML. It re-exports its dependencies for the
+//! browser bindings, which depend on no other of them.
 
 pub mod live;
 mod lower;

@@ -1,4 +1,4 @@
-//! How a story is performed.
+//! Options of a performance.
 
 use raconteur_actor::Manner;
 use raconteur_base::Side;
@@ -54,7 +54,7 @@ impl LanguageTag {
     /// The tag.
     #[must_use]
     pub fn as_str(&self) -> &str {
-        // Nothing but ASCII is in it.
+        // The content is only ASCII.
         str::from_utf8(&self.letters[..self.length]).unwrap_or_default()
     }
 }

@@ -1,4 +1,4 @@
-//! Playing allocates nothing: counted by the allocator.
+//! Allocation test: playing allocates nothing, as counted by the allocator.
 
 mod common;
 #[path = "../../body/tests/common/counting.rs"]

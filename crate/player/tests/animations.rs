@@ -1,4 +1,4 @@
-//! Animations in stories: which are wanted, how they come, and how live fragments play them.
+//! Animations in stories: the required ones, their arrival, and their playback by live fragments.
 
 mod common;
 

@@ -1,5 +1,5 @@
-//! The poses of the shipped stories, to the last bit, as they were when `tests/digests` was
-//! written: what changes only the code's form changes none of them. `UPDATE=1` writes them anew.
+//! Poses of the shipped stories, equal to the last bit to those in `tests/digests`: changes of only
+//! the code's form change none of them. `UPDATE=1` writes them again.
 
 mod common;
 

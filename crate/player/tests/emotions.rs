@@ -1,4 +1,5 @@
-//! The words and types of emotions that the pages know are the crates'. `UPDATE=1` writes them anew.
+//! The words and types of emotions in the pages are those of the crates. `UPDATE=1` writes them
+//! again.
 
 use std::fmt::Write as _;
 use std::fs;

@@ -1,4 +1,4 @@
-//! How camera, light and music express what is felt (GEVH 3.5.4), over stories at random.
+//! Expression of emotions by camera, light and music (GEVH 3.5.4), over random stories.
 
 mod common;
 
@@ -159,13 +159,13 @@ fn no_channel_is_faster_than_it_says() {
             let light = frame.lighting;
             let height = ops::tan(0.5 * frame.camera.fov_y_rad);
             if let Some((before, was)) = last {
-                // From nothing to twice the stage's own light in 1.4 s, eased: 1.875 times the mean.
+                // From zero to twice the stage's own light in 1.4 s, eased: 1.875 times the mean.
                 let most = (2.0 * 1.875 * STEP_SECS / 1.4) as f32;
                 for c in 0..3 {
                     let step = (light.key.irradiance[c] - before.key.irradiance[c]).abs();
                     assert!(step <= most, "story {seed} at {t}: {step}");
                 }
-                // A shot that is kept, or moved to, zooms; a cut is no zoom.
+                // A continued shot and a transition to a shot zoom; a cut does not.
                 let zoom = ops::ln(height / was).abs();
                 let cut = player.environment_expression(t).shot
                     != player.environment_expression(t - STEP_SECS).shot;
@@ -218,7 +218,7 @@ fn the_white_rabbit_is_filmed_lit_and_scored_as_it_feels() {
             "{piece}: {music:?}"
         );
     }
-    // One after the other on bar lines; two at once while one takes over.
+    // Consecutive pieces change on bar lines; two play simultaneously during a transition.
     for t in 0..1500 {
         let heard = player.environment_expression(0.1 * f64::from(t)).music;
         assert!(heard.len() <= 4, "{heard:?}");

@@ -1,4 +1,4 @@
-//! Faces of the model on figures of the library: any of them speaks at once.
+//! Faces of the model on figures of the library: each speaks immediately.
 
 mod common;
 
@@ -75,7 +75,7 @@ fn a_face_that_comes_in_the_middle_changes_no_movement() {
     for time in [1.04, 1.5, 2.0, 0.3] {
         let joints = |player: &mut raconteur_player::Player| {
             let frame = player.frame(time, 1.0);
-            // All but the eyes and what hangs on them stands as before.
+            // Everything except the eyes and their descendants is unchanged.
             frame.world_from_joint[..54].to_vec()
         };
         assert_eq!(joints(&mut own), joints(&mut other), "{time}");

@@ -1,4 +1,4 @@
-//! That no face is dented, whatever its muscles do: no narrow fold is deep where faces have none.
+//! Dents: no muscle activity makes a deep narrow fold where faces have none.
 
 mod common;
 

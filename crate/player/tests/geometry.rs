@@ -1,4 +1,4 @@
-//! body-configure-geometry: every attribute changes what the frame shows, at its time.
+//! body-configure-geometry: every attribute changes the frame at its time.
 
 use std::sync::Arc;
 
@@ -117,7 +117,7 @@ fn live_clauses_switch_it_for_good() {
         !later.textures && later.frames,
         "frames are visible after the second clause"
     );
-    // However many come, the first ones keep their effect.
+    // Regardless of the number of clauses, the first ones keep their effect.
     for i in 0..300 {
         let now_secs = 10.0 + f64::from(i);
         let on = i % 2 == 0;

@@ -1,4 +1,4 @@
-//! Left-handers: what one of them performs is the mirror image of what a right-hander does.
+//! Left-handers: their performance is the mirror image of a right-hander's.
 
 mod common;
 
@@ -112,7 +112,7 @@ fn a_script_for_a_left_hander_is_the_mirror_image_of_the_mirrored_script_for_a_r
         let head = |hand: &str| format!("<head><r:performer handedness='{hand}'/></head>");
         let left = script(seed, &ALL, &head("left"), false);
         let right = script(seed, &ALL, &head("right"), true);
-        // What the script says counts more than the figure.
+        // The script takes precedence over the figure.
         let mut left = player(&left, Side::Right, None);
         let mut right = player(&right, Side::Left, None);
         let off = unlike_m(&mut left, &mut right);
@@ -125,7 +125,7 @@ fn a_left_hander_mirrors_what_is_written_for_the_dominant_hand() {
     for seed in 0..24 {
         let text = script(seed, &RELATIVE, "", false);
         let mut right = player(&text, Side::Right, None);
-        // A left-handed figure, and a right-handed one that is shown as a left-hander.
+        // A left-handed figure, and a right-handed one performed as a left-hander.
         for mut left in [
             player(&text, Side::Left, None),
             player(&text, Side::Right, Some(Side::Left)),
@@ -133,7 +133,7 @@ fn a_left_hander_mirrors_what_is_written_for_the_dominant_hand() {
             let off = unlike_m(&mut left, &mut right);
             assert!(off < ALIKE_M, "seed {seed}: {off} m");
         }
-        // Who shows it wins over story and figure: right is right again.
+        // The host takes precedence over story and figure: the right hand is dominant again.
         let head = "<head><r:performer handedness='left'/></head>";
         let mut told = player(&script(seed, &RELATIVE, head, true), Side::Left, None);
         let mut shown = player(

@@ -1,4 +1,5 @@
-//! What gives way where a gesture begins sooner than the hand can be there: `r:lead`.
+//! Effects of `r:lead` when a gesture starts before the hand can arrive: a delayed script, a late
+//! stroke or a hand in place.
 
 mod common;
 

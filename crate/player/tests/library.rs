@@ -1,5 +1,5 @@
-//! The shipped animations, each swept alone: every file of the library, on one figure or, in the long tier, on
-//! every one, with the checks that stories get.
+//! Shipped animations, each swept separately: every file of the library, on one figure or, in the
+//! long tier, on every one, with the checks of stories.
 
 mod common;
 

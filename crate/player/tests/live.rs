@@ -1,4 +1,4 @@
-//! Live performance: clauses that come while a story plays.
+//! Live performance: clauses that arrive while a story plays.
 
 mod common;
 
@@ -95,7 +95,7 @@ fn a_waiting_figure_speaks_a_baked_line_and_tells_of_it() {
         ]
     );
     assert_eq!(player.end_secs(), 8.0);
-    // The lips move while it is said.
+    // The lips move during the speech.
     let jaw = |player: &mut Player, t| player.frame(t, 1.6).world_from_joint[Bone::Chin.index()];
     let (closed, open) = (jaw(&mut player, 4.9), jaw(&mut player, 5.35));
     let turn = closed.matrix3.inverse() * open.matrix3;
@@ -196,7 +196,7 @@ fn frames_depend_on_the_fragments_and_their_times_alone() {
     };
     let (played, mut player) = digests(false);
     assert_eq!(played, digests(true).0);
-    // Seeking shows what playing showed, as long as nothing else was sent.
+    // Seeking shows the same as playing, as long as no other fragment arrives.
     for (i, t) in times.iter().enumerate().skip(85).rev() {
         player.seek(*t);
         assert_eq!(player.digest(*t), played[i], "at {t}");
@@ -297,7 +297,7 @@ fn a_flood_is_refused_and_another_mind_is_heard() {
         codes(&player.perform(2, "<null time='0'/>", 1.2)).is_empty(),
         "the other mind's fragment is accepted"
     );
-    // In time, the first one is heard again.
+    // After some time, the first mind is accepted again.
     assert!(player.has_room(1, 3.0), "the mind is accepted again later");
 }
 

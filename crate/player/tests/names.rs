@@ -1,5 +1,4 @@
-//! An unknown name is reported exactly once, with what was probably meant;
-//! so is a number beyond its range.
+//! An unknown name is reported exactly once, with its likely meaning; so is a number out of range.
 
 mod common;
 
@@ -188,7 +187,7 @@ fn arguments_of_functions_are_names_and_have_ranges() {
                   <arg name='timePeriod' value='-1'/></function-args></vh-move>";
     let codes: Vec<_> = problems("", period).iter().map(|d| d.code).collect();
     assert_eq!(codes, ["player::out-of-range"]);
-    // Where none is near, all are listed.
+    // If no name is near, all are listed.
     let far = with_argument("segment", "colour", "1");
     assert!(
         far[0].hints[0].starts_with("its arguments are timePeriod, startYaw"),

@@ -1,4 +1,4 @@
-//! Palms that an arm cannot turn as a script asks are told.
+//! Palm orientations out of the arm's range are reported.
 
 mod common;
 
@@ -28,7 +28,7 @@ fn a_palm_that_no_forearm_can_turn_is_told_with_the_nearest() {
             .and_then(|off| off.parse().ok())
             .expect("degrees");
         assert!((60.0..180.0).contains(&off), "{off}");
-        // What is said to be the nearest can be met.
+        // The reported nearest orientation is reachable.
         let hint = found[0].hints.first().expect("a hint");
         let nearest = hint.split_once("it can is ").expect("a palm").1;
         let nearest = nearest.split(';').next().expect("a palm");

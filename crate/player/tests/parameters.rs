@@ -1,4 +1,4 @@
-//! Control parameters and emotions of stories: their animations, and that all of it plays.
+//! Control parameters and emotions of stories: their animations, and their playback.
 
 mod common;
 

@@ -1,8 +1,8 @@
-//! Runs `tests/suite/pose`: what the language does to the body, one concept a case.
+//! Runs `tests/suite/pose`: effects of the language on the body, one concept per case.
 //!
-//! A case is a script, `NAME.eml`, and beside it `NAME.pose` with what its performance must
-//! show, one line each; `#` begins a comment. Times are seconds, bones go by the names of
-//! GEVH appendix A without `bone_`, and ± gives the tolerance.
+//! A case is a script, `NAME.eml`, and next to it `NAME.pose` with the required results of its
+//! performance, one per line; `#` begins a comment. Times are seconds, bones have the names of GEVH
+//! appendix A without `bone_`, and ± gives the tolerance.
 //!
 //! | line | holds when |
 //! |---|---|
@@ -19,8 +19,8 @@
 //! | `morph TIME NAME VALUE ±W` | a weight of the face |
 //! | `diagnostic CODE LINE` | the script's diagnostics are exactly these, in order |
 //!
-//! Every case is played forwards and sought backwards, which must agree to the last bit, and
-//! no bone may change its length.
+//! Every case is played forwards and sought backwards, which must agree to the last bit, and no
+//! bone may change its length.
 
 use std::collections::BTreeSet;
 use std::fs;

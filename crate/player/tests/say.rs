@@ -1,4 +1,4 @@
-//! `voice-say` with its six operations, and a live clause that finds what was made ready.
+//! `voice-say` with its six operations, and a live clause that uses prepared speech.
 
 mod common;
 
@@ -97,8 +97,8 @@ fn each_operation_does_what_it_is_called() {
     assert_eq!(codes, [""; 0]);
     let player = loaded.player;
     let words = |text: &str| -> Vec<String> { text.split(' ').map(str::to_owned).collect() };
-    // Text and file are waited for, asynchronous ones are not, and what is only made ready is
-    // not heard. The words of files are those of the bundle.
+    // Text and file block, asynchronous ones do not, and prepared speech is not audible. The words
+    // of files are those of the bundle.
     let mut heard = spoken_words(&player);
     heard.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
     assert_eq!(
@@ -219,7 +219,7 @@ fn what_was_made_ready_is_heard_when_a_fragment_says_it() {
         .collect();
     assert_eq!(words, ["For", "later"]);
     assert_eq!(performed.utterances[0].language.as_deref(), Some("en-GB"));
-    // What no bundle holds is captioned, and it is said that it is not heard.
+    // Text missing from all bundles is captioned, and a diagnostic reports that it is not audible.
     let unknown = player.perform(
         1,
         "<voice-text time='0'>Nobody baked this</voice-text>",

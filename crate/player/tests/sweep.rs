@@ -1,4 +1,4 @@
-//! The shipped stories, swept.
+//! Sweep of the shipped stories.
 
 mod common;
 
@@ -19,7 +19,7 @@ fn swept(name: &str, figure: &Arc<Figure>) -> Vec<Check> {
     if is_long() {
         return sweep(&mut player);
     }
-    // Each story at a place of its own.
+    // Each story has its own position.
     let place = stories().iter().position(|s| s == name).unwrap_or(0);
     let end = player.end_secs();
     let from = (end - STRETCH_SECS).max(0.0) * noise::unit(1, place as u64, 0);
@@ -117,7 +117,7 @@ fn a_stroke_of_a_figure_that_has_moved_is_looked_for_where_it_is() {
 
 #[test]
 fn quick_keys_that_cannot_be_met_snap_no_joint() {
-    // Places that are far beyond reach, palms that no forearm can turn so, from key to key.
+    // Positions far out of reach and palm orientations beyond the forearm's range, from key to key.
     let keys = [
         [
             "<palms><key time='0' a='126' x='0.3' y='0.2' z='-0.9'/></palms>",

@@ -1,4 +1,4 @@
-//! Live performance: one speaks after another, and what is interrupted ends.
+//! Live performance: utterances follow each other, and interrupted ones end.
 
 mod common;
 
@@ -79,7 +79,7 @@ fn no_two_utterances_of_fragments_overlap() {
             let performed = player.perform(1, &remark(&mut dice), now);
             let told: Vec<f64> = performed.clauses.iter().map(|c| c.start_secs).collect();
             for said in &performed.utterances {
-                // The answer tells the time at which it is said.
+                // The response specifies the time of the speech.
                 assert!(
                     told.contains(&said.timed.start_secs),
                     "the utterance starts at a reported time"
@@ -109,7 +109,7 @@ fn what_waits_begins_a_breath_later_and_stays_together() {
         (event.unwrap().start_secs - second.0.start_secs - 0.5).abs() < 1e-9,
         "the delayed event keeps its offset to the speech"
     );
-    // What says nothing does not wait, nor does what comes into a silence.
+    // A fragment without speech does not wait, nor does one that arrives in silence.
     assert!(
         player.perform(1, "<null time='0'/>", 5.6).clauses[0].start_secs < 5.8,
         "the fragment without speech is not delayed"
@@ -197,7 +197,7 @@ fn what_is_interrupted_ends_and_is_not_heard_of_again() {
             "no speech is active after the interruption"
         );
         let after = play(&mut player, at, at + 10.0);
-        // The ends come at once, and nothing else.
+        // The end events come immediately, and no others.
         for event in &after {
             let told = phase(event).map(|(_, phase)| phase);
             assert!(
@@ -217,7 +217,7 @@ fn what_is_interrupted_ends_and_is_not_heard_of_again() {
         }
         assert!(open.is_empty(), "at {at}: {open:?}");
         assert_eq!(player.interrupt(at + 9.0), None);
-        // Another one may follow, as if nothing had been.
+        // Another fragment may follow normally.
         let next = player.perform(1, LINE, at + 10.0);
         assert!(
             next.clauses[0].start_secs < at + 10.3,

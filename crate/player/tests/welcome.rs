@@ -1,5 +1,4 @@
-//! Before a story is played the figure waits, alive and on a clock of its own; of that nothing
-//! is left in the story.
+//! Before a story plays, the figure is idle on its own clock; the story contains nothing of it.
 
 mod common;
 
@@ -56,7 +55,7 @@ fn waiting_changes_nothing_of_the_story() {
             let (a, b) = (seen(fresh.frame(t, ASPECT)), seen(waited.frame(t, ASPECT)));
             assert_eq!(a == b, t >= 0.5, "{name} at {t}");
         }
-        // Sought: at once.
+        // Seeking has an immediate effect.
         for t in [0.0, 0.1, 7.3, 0.2] {
             waited.evaluate_idle(5.0, ASPECT);
             waited.seek(t);
@@ -81,18 +80,16 @@ fn the_figure_goes_into_the_story_without_a_jump() {
             for i in 0..36 {
                 let frame = player.frame(f64::from(i) * STEP_SECS, ASPECT).clone();
                 let limit = if i == 0 {
-                    // It goes on from the very picture that it waited in.
+                    // The transition starts from the exact idle frame.
                     1e-9
                 } else {
-                    // Nothing goes faster than 1.9 times the mean speed (minimum jerk), on an
-                    // arc that is up to a tenth longer than the way, besides the story's own
-                    // 0.2 m/s.
+                    // Nothing exceeds 1.9 times the mean speed (minimum jerk), on an arc up to a
+                    // tenth longer than the path, in addition to the story's own 0.2 m/s.
                     (1.1 * 1.9 * way / 0.3 + 0.2) * STEP_SECS
                 };
                 let [far, hair] = moved(&figure, &last, &frame);
                 assert!(far <= limit, "{name} {waited_secs} step {i}: {far} m");
-                // Hair goes on to a hundredth of a millimetre, and swings farther than what
-                // carries it.
+                // Hair settles to a hundredth of a millimetre, and swings farther than its base.
                 let limit = if i == 0 { 1e-5 } else { 1.5 * limit };
                 assert!(
                     hair <= limit,
@@ -103,8 +100,8 @@ fn the_figure_goes_into_the_story_without_a_jump() {
                     let [x, y, z] = [0, 1, 2].map(|k| a.displacement[k] - b.displacement[k]);
                     (x * x + y * y + z * z).sqrt()
                 });
-                // A blink carries a lid 11 mm in 85 ms; the tissue begins anew where the
-                // story does, to a hundredth of a millimetre.
+                // A blink moves a lid 11 mm in 85 ms; the tissue starts again with the story, to a
+                // hundredth of a millimetre.
                 let (far, limit) = (far.fold(0.0, f32::max), if i == 0 { 1e-4 } else { 4e-3 });
                 assert!(
                     far <= limit,
@@ -126,7 +123,7 @@ fn it_breathes_shifts_its_weight_blinks_and_looks() {
     let joints = skeleton.skeleton.joints();
     let upper = joints.iter().position(|j| j.name == "helper_l_upper_lid");
     let upper = upper.expect("a lid");
-    // How far the lid is down, radians.
+    // The lid's closure in radians.
     let lid = |frame: &Frame| {
         let lid = frame.world_from_joint[upper].matrix3;
         let skull = frame.world_from_joint[Bone::Skull.index()].matrix3;
@@ -146,7 +143,7 @@ fn it_breathes_shifts_its_weight_blinks_and_looks() {
     assert!((0.005..0.08).contains(&hips), "{hips} m");
     assert!((0.005..0.15).contains(&head), "{head} m");
     assert!(closed > 0.3, "lids: {closed} rad");
-    // The same wait is the same picture, whatever came between.
+    // The same idle time gives the same frame, regardless of the events in between.
     assert!(
         seen(&first) == seen(player.evaluate_idle(0.0, ASPECT)),
         "the first frame equals the idle frame at 0 s"
@@ -190,7 +187,7 @@ fn it_comes_to_wait_for_an_answer_and_goes_on_without_a_jump() {
             assert!(far <= limit, "{name} step {i}: {far} m of {limit}");
             last = frame;
         }
-        // It looks at its hand: something moves, and nothing jumps.
+        // The figure looks at its hand: something moves, and nothing jumps.
         let before = last.clone();
         for i in 60..120 {
             let waited_secs = f64::from(i) * STEP_SECS;
@@ -207,7 +204,7 @@ fn it_comes_to_wait_for_an_answer_and_goes_on_without_a_jump() {
             turned(&before).angle_between(turned(&last)).to_degrees() > 3.0,
             "{name}"
         );
-        // An answer leads on; half a second later there is nothing but the story.
+        // An answer continues the story; half a second later, only the story is left.
         player.seek_with_fade(on);
         let [far, _] = moved(&figure, &last, player.frame(on, ASPECT));
         assert!(far <= 1e-9, "{name}: {far} m");

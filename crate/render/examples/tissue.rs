@@ -1,9 +1,9 @@
-//! Heads whose skin follows tissue, drawn from states of the nodes made by hand: a raised
-//! patch, each kind of wrinkle, blush and pallor.
+//! Heads with tissue, rendered from handmade states of the nodes: a raised patch, each kind of
+//! wrinkle, blush and pallor.
 //!
-//! `cargo run -p raconteur-render --example tissue -- FIGURE.glb FOLDER [MOMENT …]` writes PNGs
-//! of all moments or those that are named. A figure without bindings gets one to a coarse grid
-//! over its face.
+//! `cargo run -p raconteur-render --example tissue -- FIGURE.glb FOLDER [MOMENT …]` writes PNGs of
+//! all moments or the named ones. A figure without bindings receives one to a coarse grid over its
+//! face.
 
 #![allow(clippy::expect_used, reason = "an example ends at its first fault")]
 

@@ -1,5 +1,6 @@
-//! The stage without a figure as a still picture: while the camera stands, the lowest quality draws
-//! the place once and lays it under every picture, turned and scaled as the camera turns and zooms.
+//! Still image of the stage without a figure. While the camera is fixed, the lowest quality renders
+//! the set once and uses it as the background of every frame, rotated and scaled as the camera
+//! turns and zooms.
 
 use glam::{Vec3, Vec4};
 use wgpu::{Device, TextureFormat, TextureUsages, TextureView};
@@ -101,7 +102,7 @@ impl Backdrop {
         let rays = uniform.rays();
         let stands = self.last_rays.replace(rays) == Some(rays);
         let serving = self.still.filter(|still| match stands {
-            // A picture of a camera that stands is the same whenever it is drawn.
+            // The image of a fixed camera is the same at any time.
             true => still.is_own && still.rays == rays,
             false => serves(still.rays, rays),
         });

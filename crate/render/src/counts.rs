@@ -1,4 +1,4 @@
-//! What a picture took to draw.
+//! Rendering costs of an image.
 
 /// Draw calls and triangles of one image.
 #[derive(Default)]

@@ -1,4 +1,4 @@
-//! Levels of detail of a picture: 0 is the finest.
+//! Levels of detail of an image: 0 is the finest.
 
 use raconteur_base::DVec3;
 use raconteur_body::MaterialKind;

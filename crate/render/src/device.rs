@@ -1,4 +1,4 @@
-//! Opening a device, for a window or without one.
+//! Opening of a device, with or without a window.
 
 use crate::RenderError;
 
@@ -16,8 +16,8 @@ pub(crate) async fn open(
         .map_err(|e| RenderError::NoAdapter(e.to_string()))?;
     let (device, queue) = adapter
         .request_device(&wgpu::DeviceDescriptor {
-            // The smallest promise that covers us, so that any device serves, with the
-            // adapter's own limit on the size of pictures.
+            // The lowest sufficient limits, so that any device works, with the adapter's own limit
+            // on the size of images.
             required_limits: wgpu::Limits::downlevel_webgl2_defaults()
                 .using_resolution(adapter.limits()),
             ..Default::default()

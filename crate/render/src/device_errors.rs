@@ -1,4 +1,4 @@
-//! What the driver refuses, caught so that the next picture tells it.
+//! Driver errors, caught so that the next frame reports them.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -16,13 +16,13 @@ impl DeviceErrors {
         let heard = refusal.clone();
         #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
         if let Some(device) = device.as_webgpu() {
-            // wgpu's own listener makes an error of it whose texts bring Unicode's tables
-            // into the page, and ends the player at an internal error.
+            // wgpu's own listener converts it to an error whose texts add Unicode's tables to the
+            // page, and terminates the player at an internal error.
             let listener = Closure::new(move |event: Event| heard.note(|| event.error().message()));
             device
                 .unchecked_ref::<Listened>()
                 .set_onuncapturederror(&listener);
-            // The device keeps it as long as it lives.
+            // The device owns it for its lifetime.
             listener.forget();
             return refusal;
         }

@@ -1,4 +1,4 @@
-//! The room around the figure, as soft light from every direction.
+//! Room around the figure, as soft light from every direction.
 
 use raconteur_base::{DVec3, ops};
 use raconteur_stage::{Lighting, Set};
@@ -11,12 +11,12 @@ const SAMPLES: u32 = 96;
 /// that soften key and fill as walls near the lamps do. Chosen by eye.
 fn room_radiance(d: DVec3, light: &Lighting, set: &Set) -> [f64; 3] {
     let ramp = |low: f64, high: f64, x: f64| ((x - low) / (high - low)).clamp(0.0, 1.0);
-    // Steeper than the irradiance should be, which blurs it: 3/2 keeps its slope.
+    // Steeper than the irradiance, which blurs it: a factor of 3/2 preserves its slope.
     let upwards = (0.5 + 0.75 * d.y).clamp(0.0, 1.0);
     let behind = 2.4 * ramp(0.2, 0.9, -d.z);
     let key = 0.16 * ramp(0.55, 0.95, d.dot(unit(light.key.towards_light_in_world)));
     let fill = 0.35 * ramp(0.50, 0.95, d.dot(unit(light.fill.towards_light_in_world)));
-    // The floor before the feet gives back what the key sends down.
+    // The floor in front of the feet reflects the downward key light.
     let bounce = 0.5 * ramp(0.2, 0.9, -d.y) * unit(light.key.towards_light_in_world).y.max(0.0);
     std::array::from_fn(|c| {
         let key_light = f64::from(light.key.irradiance[c]);

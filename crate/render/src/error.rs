@@ -1,4 +1,4 @@
-//! What can go wrong while drawing.
+//! Rendering errors.
 
 /// Error returned when an image cannot be rendered.
 #[derive(Debug, thiserror::Error)]

@@ -1,4 +1,4 @@
-//! Textures for meshes without pictures.
+//! Textures for meshes without images.
 
 use wgpu::{Device, Queue, TextureView};
 
@@ -37,8 +37,8 @@ impl FallbackTextures {
                 anisotropy_clamp: if anisotropic { 8 } else { 1 },
                 ..Default::default()
             }),
-            // Cards seen edge-on are hidden anyway, and a processor that samples them
-            // anisotropically reads the whole atlas for a pixel.
+            // Cards seen edge-on are hidden anyway, and software rendering with anisotropic
+            // sampling reads the whole atlas for a pixel.
             strand_sampler: device.create_sampler(&wgpu::SamplerDescriptor {
                 mag_filter: wgpu::FilterMode::Linear,
                 min_filter: wgpu::FilterMode::Linear,

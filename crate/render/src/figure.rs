@@ -1,4 +1,4 @@
-//! A figure on the GPU: vertex streams, indices, joints and materials.
+//! Figure on the GPU: vertex streams, indices, joints and materials.
 
 use std::ops::Range;
 
@@ -39,7 +39,8 @@ impl MaterialUniform {
                 mesh.material.roughness.clamp(0.05, 1.0),
                 f32::from(u8::from(has_cornea)),
                 f32::from(u8::from(alpha_mode == AlphaMode::Blend)),
-                // Cloth tells its weave, all else whether it has a picture of normals.
+                // For cloth, the flag is its weave; for other materials, whether a normal map
+                // exists.
                 mesh.material.kind.weave().map_or(
                     f32::from(u8::from(mesh.material.maps.normal.is_some())),
                     f32::from,
@@ -92,7 +93,7 @@ impl PipelineKey {
         let kind = material.kind;
         let alpha_mode = match kind {
             MaterialKind::Hair => AlphaMode::Mask,
-            // Hairs thinner than a pixel must cover less of it than a sample does.
+            // Hairs thinner than a pixel must cover less of it than one sample.
             MaterialKind::Cornea | MaterialKind::Lash => AlphaMode::Blend,
             MaterialKind::Plain if material.base_color[3] < 0.99 => AlphaMode::Blend,
             // A JPEG has no alpha that could cut.
@@ -223,7 +224,7 @@ impl FigureData {
             nodes: Nodes::from_meshes(figure.meshes.iter()),
         };
         let mut batches: Vec<Batch> = Vec::new();
-        // The stream of what follows tissue need only be as long as the meshes that do.
+        // The tissue stream needs only the length of the bound meshes.
         let meshes = figure.meshes.iter().enumerate();
         let (bound, free): (Vec<_>, Vec<_>) = meshes.partition(|(_, m)| m.binding.is_some());
         let face = face_place(figure);
@@ -234,7 +235,8 @@ impl FigureData {
             let material = MaterialUniform::from_mesh(mesh, key.alpha_mode, has_cornea, face);
             let maps = mesh.material.maps;
             let levels = data.push(mesh, key.alpha_mode);
-            // What the sharp cards leave, ends and gaps, is drawn over them from the scalp outwards.
+            // Ends and gaps omitted by the alpha-tested cards are rendered over them from the scalp
+            // outwards.
             if key.kind == MaterialKind::Hair {
                 let soft = PipelineKey {
                     alpha_mode: AlphaMode::Blend,
@@ -259,8 +261,9 @@ impl FigureData {
             batch.join(&mut batches);
         }
         batches.retain(|b| !b.levels[0].is_empty());
-        // Solid ones first, by the way they cast, so that their shadow is one call; the wet
-        // surface of the eyes after other clear ones, and the hairs before it last.
+        // Solid batches come first, grouped by shadow casting, so that their shadow is one call;
+        // the wet surface of the eyes comes after the other transparent ones, and the hairs before
+        // it.
         sort_by_number(&mut batches, Batch::place);
         data.pack(&batches);
         Ok(data)
@@ -278,7 +281,7 @@ impl FigureData {
         }
         let is_cards = alpha_mode == AlphaMode::Mask && mesh.material.kind != MaterialKind::Plain;
         std::array::from_fn(|level| {
-            // WebGL2 has no base vertex: the offset goes into the indices.
+            // WebGL2 has no base vertex, so the indices include the offset.
             let indices = mesh.triangles_at(level).iter().map(|i| i + base as u32);
             if is_cards {
                 from_outside_in(indices)

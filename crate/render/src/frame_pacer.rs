@@ -1,4 +1,4 @@
-//! Choosing the quality by how long frames take.
+//! Selection of the quality by frame times.
 
 use crate::{Quality, RenderOptions};
 
@@ -129,7 +129,7 @@ impl FramePacer {
         self.last_ms[self.seen % LOOK_FRAMES] = frame_ms;
         self.seen += 1;
         let looked = &self.last_ms[..self.seen.min(LOOK_FRAMES)];
-        // Two frames tell a hitch from a slow device.
+        // Two slow frames distinguish a hitch from a slow device.
         let enough =
             looked.len() == LOOK_FRAMES || looked.len() > 1 && looked.iter().sum::<f64>() > LOOK_MS;
         if !enough {
@@ -145,7 +145,7 @@ impl FramePacer {
             });
             return true;
         }
-        // A hitch stops the count of quick time for a while; it does not start it anew.
+        // A hitch pauses the count of fast frames; it does not restart the count.
         if typical_ms >= QUICK_MS {
             return false;
         }
@@ -226,7 +226,8 @@ mod tests {
         let mut pace = FramePacer::new(false);
         run(&mut pace, 5.0, [100.0, 400.0, 1200.0, 1700.0, 2000.0]);
         assert_eq!(pace.at, 0);
-        // Known before: nothing is drawn above, and a rung that does not do is soon left alone.
+        // With a known quality, nothing above it is rendered, and an insufficient step is soon
+        // abandoned.
         let mut known = FramePacer::new(true);
         assert_eq!(
             run(&mut known, 600.0, [40.0, 90.0, 350.0, 350.0, 350.0]),
@@ -272,7 +273,7 @@ mod tests {
             let mut pace = FramePacer::new(false);
             let changes = (0..40_000)
                 .filter(|&i| {
-                    // Load that comes and goes in stretches of some hundred frames.
+                    // Load that varies in intervals of some hundred frames.
                     let r = raconteur_base::noise::unit(seed, 7, i / (150 + 7 * seed as i64));
                     pace.report(8.0 + 160.0 * r * r)
                 })

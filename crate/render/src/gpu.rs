@@ -1,4 +1,4 @@
-//! Short ways to make the plainest things of a device.
+//! Helpers for basic device objects.
 
 use wgpu::{Buffer, BufferUsages, Device, VertexAttribute, VertexFormat};
 

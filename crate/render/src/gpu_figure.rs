@@ -1,4 +1,4 @@
-//! A figure as it lies on the device: buffers, pictures, and what to draw of them.
+//! Figure on the device: buffers, textures and draw lists.
 
 use raconteur_base::{DAffine3, DVec3};
 use raconteur_body::face::NodeState;
@@ -239,7 +239,7 @@ impl GpuFigure {
     /// Rebuilds the texture bind groups, with blanks for missing textures.
     fn group_maps(&mut self, device: &Device, layouts: &Layouts, fallback: &FallbackTextures) {
         self.maps.clear();
-        // Without pictures, blanks alone.
+        // Without images, only blank textures are used.
         let all = self
             .meshes
             .iter()

@@ -1,4 +1,4 @@
-//! Pictures without a screen.
+//! Rendering without a screen.
 
 use raconteur_body::Figure;
 use raconteur_stage::Frame;

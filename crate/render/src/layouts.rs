@@ -1,4 +1,4 @@
-//! What the bind groups of the shaders hold.
+//! Bind group layouts of the shaders.
 
 use wgpu::{BindGroupLayout, Device, ShaderStages};
 

@@ -1,13 +1,12 @@
-//! Draws a frame with wgpu: native and headless, WebGPU, and WebGL2, from one source.
+//! Renders a frame with wgpu: native and headless, WebGPU, and WebGL2, from one source.
 //!
-//! Does: the figure with its materials, skinned on the GPU, or by its edges, its corners or
-//! its bones for those who look behind the scenes; the theatre around it; shadows; tone curve
-//! and encoding; read-back; canvases.
-//! Does not: decide what is in the picture (`stage`), or move anything.
+//! Scope: the figure with its materials, skinned on the GPU, or as edges, vertices or bones for
+//! inspection; the theatre around it; shadows; tone curve and encoding; read-back; canvases.
+//! Out of scope: the content of the frame (`stage`), and motion.
 //!
-//! The picture is formed in linear light in one `Rgba16Float` target, four samples a
-//! pixel where the device can, and encoded in the tone-map pass. What a device cannot do is
-//! replaced and reported in [`RenderInfo`], never silently.
+//! The image is rendered in linear light to one `Rgba16Float` target, with four samples per pixel
+//! where supported, and encoded in the tone-map pass. Unsupported device features are replaced and
+//! reported in [`RenderInfo`], never silently.
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 

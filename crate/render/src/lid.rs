@@ -1,4 +1,4 @@
-//! Where the edges of the lids are: they shade the eye, and its tears gather there.
+//! Lid edges: they shade the eye, and its tears gather there.
 
 use glam::Vec3;
 use raconteur_base::{DAffine3, DVec3, Side};

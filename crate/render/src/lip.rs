@@ -1,4 +1,4 @@
-//! How far the lips are apart: between them light reaches the mouth.
+//! Lip opening: light enters the mouth between the lips.
 
 use raconteur_body::Figure;
 use raconteur_body::face::NodeState;

@@ -1,7 +1,7 @@
-//! Morph targets, applied on the CPU to the few vertices they move.
+//! Morph targets, applied on the CPU to the few affected vertices.
 //!
-//! WebGL2 has no storage buffers, and a face's morphs touch few vertices; so they are
-//! summed here and only the touched stretch of the vertex buffer is sent again.
+//! WebGL2 has no storage buffers, and the morph targets of a face affect few vertices. They are
+//! therefore summed here, and only the affected range of the vertex buffer is uploaded again.
 
 use raconteur_body::Mesh;
 use wgpu::{VertexBufferLayout, VertexStepMode, vertex_attr_array};

@@ -1,4 +1,4 @@
-//! The options of a renderer, and what the device made of them.
+//! Options of a renderer, and the features supported by the device.
 
 /// Number of levels of detail.
 pub(crate) const LEVELS: usize = 3;

@@ -1,5 +1,5 @@
-//! The overlay of a figure: its bones, their frames and joints, and where the
-//! manipulators are sent. Everything is made of one shape, a spindle of eight faces.
+//! Overlay of a figure: its bones, their frames and joints, and the targets of the manipulators.
+//! Everything consists of one shape, a spindle of eight faces.
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
@@ -102,7 +102,7 @@ impl Overlay {
         let (start, hint) =
             parent.map_or((at, Vec3::X), |p| (place(p), p.matrix3.y_axis.as_vec3()));
         let length = (at - start).length();
-        // The chin turns about a place within the head.
+        // The chin turns about a point inside the head.
         if frame.shown.bones && bone != Bone::Chin {
             self.bone(start, at, hint);
             if is_free(bone) {

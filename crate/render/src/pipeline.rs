@@ -217,7 +217,7 @@ impl Pipelines {
             fragment: Some(fragment_entry(key, self.simple)),
             target: Some(self.target.format),
             blend: clear.then_some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
-            // Cover that goes to the samples must not make the page see through the picture.
+            // The alpha of alpha-to-coverage must not make the canvas transparent.
             writes: if self.simple {
                 wgpu::ColorWrites::COLOR
             } else {

@@ -1,4 +1,4 @@
-//! Draws frames of one figure to any target of the chosen format.
+//! Renderer of one figure to any target of the selected format.
 
 mod change;
 mod passes;

@@ -1,4 +1,4 @@
-//! Where a light's shadow map looks.
+//! View of a light's shadow map.
 
 use glam::dcamera::rh::{proj::directx::orthographic, view::look_to_mat4};
 use raconteur_base::{DMat4, DVec3};
@@ -60,7 +60,7 @@ impl ShadowView {
         let seen_half_height = distance * view.half_height;
         let half_diagonal = seen_half_height
             * (1.0 + view.right.length_squared() / view.up.length_squared()).sqrt();
-        // A third more than is seen, for what stands behind the target's plane.
+        // A third more than the visible area, for objects behind the target's plane.
         let close = half_diagonal * 1.35;
         let (centre, radius) = if close.is_finite() && close < whole {
             // Only as fine as the filter can use.
@@ -74,7 +74,7 @@ impl ShadowView {
         } else {
             DVec3::Y
         };
-        // Casters may stand a whole stature nearer to the lamp than anything visible.
+        // Shadow casters may be a whole stature nearer to the lamp than anything visible.
         let back = 2.0 * stature_m;
         let far = back + 2.0 * stature_m;
         let light_from_world = look_to_mat4(centre + towards * back, -towards, up);

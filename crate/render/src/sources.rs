@@ -1,4 +1,4 @@
-//! The sources of the shaders, shortened by the build script.
+//! Shader sources, shortened by the build script.
 
 const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
 

@@ -1,6 +1,6 @@
-//! The atlas of strands that cards of hair are drawn with: 16 strips side by side in u, v from root
-//! to tip, from dense to single hairs. Red is cover, green height within the bundle, blue a number
-//! of each strand. It is made here, of strands that clump, wander and end where they like.
+//! Strand atlas of the hair cards: 16 strips side by side in u, v from root to tip, from dense to
+//! single hairs. Red is coverage, green height within the bundle, blue a number of each strand. It
+//! is generated here, from strands that clump, wander and end at random.
 
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{noise, ops};
@@ -122,7 +122,7 @@ pub(crate) fn atlas() -> Vec<Level> {
     let mut texels: Vec<Texel> = vec![[0.0, 0.5, 0.5]; WIDTH * HEIGHT];
     for strip in 0..STRIPS {
         let mut strands = strands(strip);
-        // The highest lie over the others.
+        // The highest strands cover the others.
         strands.sort_by(|a, b| a.height.total_cmp(&b.height));
         for s in &strands {
             paint(&mut texels, strip, s);

@@ -1,4 +1,4 @@
-//! A canvas of a page as the target.
+//! A page's canvas as the target.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -166,7 +166,7 @@ impl CanvasTarget {
 
     /// Takes the time between two displayed frames, milliseconds; the quality follows it.
     pub fn report_frame(&mut self, ms: f64) {
-        // What is drawn as before tells nothing of the quality that comes.
+        // A frame in the old quality does not describe the new one.
         if !self.renderer.is_changing() && self.pace.report(ms) {
             self.renderer.set_options_soon(self.pace.options());
             self.fit();

@@ -1,4 +1,4 @@
-//! What the picture is formed in: float or encoded, samples, and its textures, or the target itself.
+//! Render target: float or encoded, sample count, and its textures, or the output itself.
 
 use wgpu::{TextureFormat, TextureUsages};
 
@@ -28,7 +28,7 @@ impl TargetKind {
                 && flags.contains(wgpu::TextureFormatFeatureFlags::MULTISAMPLE_RESOLVE);
             if can { asked } else { 1 }
         };
-        // A target that encodes by itself would encode twice.
+        // An sRGB target would encode twice.
         if quality.is_direct() && !output.is_srgb() {
             return Self {
                 format: output,

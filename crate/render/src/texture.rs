@@ -1,4 +1,4 @@
-//! Pictures of the materials: mip levels made here, since a browser's WebGPU makes none.
+//! Material textures: mip levels are computed here, because a browser's WebGPU computes none.
 
 use std::sync::LazyLock;
 
@@ -63,7 +63,7 @@ pub(crate) fn upload(
             None => halved(w, h, rgba, role),
         };
         if w.max(h) > limit {
-            // Too fine to be kept: its half takes its place.
+            // The level exceeds the limit, so the half-size level replaces it.
             levels.clear();
         }
         (w, h) = (next.0, next.1);
@@ -169,7 +169,7 @@ fn mean_color(corners: &[[u8; 4]; 4]) -> [u8; 4] {
                 .map(|p| weight(p) * LINEAR[usize::from(p[c])])
                 .sum()
         };
-        // A texel that is fully transparent keeps its colour, for the levels below.
+        // A fully transparent texel keeps its colour for the coarser levels.
         let light = if alpha > 0.0 {
             sum(&|p| f32::from(p[3])) / alpha
         } else {

@@ -1,4 +1,4 @@
-//! What depends on the quality: pipelines, the shadow map, and the groups that hold it.
+//! Quality-dependent objects: pipelines, the shadow map, and its bind groups.
 
 use wgpu::{Buffer, Device, TextureView};
 
@@ -33,7 +33,7 @@ impl Tier {
         let quality = options.quality;
         let lights = quality.shadows();
         let limit = device.limits().max_texture_dimension_2d;
-        // Without lights that cast, one texel stands for a map.
+        // Without shadow-casting lights, one texel replaces the map.
         let shadow_texels = match lights {
             0 => 1,
             _ => quality.shadow_texels().min(limit / lights),

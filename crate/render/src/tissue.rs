@@ -1,6 +1,6 @@
-//! Vertices that follow the tissue of a face, moved on the CPU: each by a few of some two
-//! thousand nodes. What comes of it is a vertex stream of its own, so that meshes without
-//! tissue have none, and the rest shape, which the grain of the skin sticks to, stays.
+//! Vertices bound to the tissue of a face, moved on the CPU: each by a few of some two thousand
+//! nodes. The result is a separate vertex stream, so that meshes without tissue have none, and the
+//! rest shape, to which the grain of the skin is attached, stays.
 
 use crate::gpu::attribute;
 use crate::options::LEVELS;
@@ -50,9 +50,9 @@ impl TissueVertex {
 
     /// From a weighted sum of nodes.
     fn from_node(sum: &Node) -> Self {
-        // Added to one and a half times 2²³, a number's nearest integer stands in the lowest
-        // bits: no conversion, which compilers guard against what was ruled out already. Four
-        // at a time would be slower where there are no vectors, as in a page.
+        // After adding one and a half times 2²³, the nearest integer is in the lowest bits. This
+        // avoids a conversion with the compiler's range checks. Four at a time would be slower
+        // without vector instructions, as in a page.
         const ROUND: f32 = 12_582_912.0;
         let bits = |x: f32, low: f32, high: f32| (x.clamp(low, high) + ROUND).to_bits();
         let moved = |x: f32| bits(x, -32767.0, 32767.0) as i16;

@@ -1,4 +1,4 @@
-//! The uniform block that all passes share: `Frame` of `shader/frame.wgsl`.
+//! Uniform block shared by all passes: `Frame` of `shader/frame.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
@@ -77,7 +77,7 @@ impl FrameUniform {
         let to_cm = |p: [f32; 4]| p.map(|x| (x * 100.0).round() / 100.0);
         let [x, y, z, _] = self.eye_in_world;
         let [.., number] = self.backdrop_low;
-        // Of all places the night alone has ground that the edge's light falls on.
+        // Only the night set has ground lit by the rim light.
         let rim = if number == number_of(StageSet::Night) {
             self.rim
         } else {
@@ -117,7 +117,7 @@ impl FrameUniform {
                 .world_from_joint
                 .get(bone.index())
                 .map_or([0.0, -9.0, 0.0, 0.0], |j| {
-                    // The contact lies under the instep, on the floor.
+                    // The contact shadow is below the instep, on the floor.
                     point(
                         DVec3::new(
                             j.translation.x,

@@ -1,4 +1,4 @@
-//! The vertices of a mesh as the device has them: where they are, and all else.
+//! Vertices of a mesh on the device: positions and other attributes.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
@@ -58,7 +58,7 @@ pub(crate) fn fixed_vertices(mesh: &Mesh) -> Vec<FixedVertex> {
         }
     };
     let mut fixed: Vec<FixedVertex> = growing_v(mesh).into_iter().enumerate().map(fixed).collect();
-    // The nodes bring the jaw's turn.
+    // The nodes already contain the jaw's turn.
     for &vertex in mesh.binding.iter().flat_map(|b| &b.vertices) {
         for joint in &mut fixed[vertex as usize].joint {
             if usize::from(*joint) == Bone::Chin.index() {

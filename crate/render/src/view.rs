@@ -1,4 +1,4 @@
-//! The camera of a frame as matrices and rays.
+//! Camera of a frame as matrices and rays.
 
 use glam::dcamera::rh::{proj::directx::perspective, view::look_to_mat4};
 use raconteur_base::{DMat4, DVec3, ops};

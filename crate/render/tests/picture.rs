@@ -1,4 +1,4 @@
-//! Rendered pictures, on whatever Vulkan there is (Mesa's software Vulkan serves).
+//! Rendered images on any Vulkan device (Mesa's software Vulkan suffices).
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
@@ -159,7 +159,7 @@ fn project(camera: &Camera, p: DVec3) -> (f64, f64) {
 #[test]
 fn blending_on_the_device_agrees_with_blending_here() {
     let mut figure = common::figure();
-    // A ball near the elbow, held 0.3 : 0.7 by upper and fore arm.
+    // A ball near the elbow, weighted 0.3 : 0.7 between upper arm and forearm.
     let (upper, fore) = (Bone::LShoulder.index(), Bone::LElbow.index());
     let at = DVec3::new(0.60, 1.70, 0.05);
     let mut ball = figure.meshes[0].clone();
@@ -182,7 +182,7 @@ fn blending_on_the_device_agrees_with_blending_here() {
     let place =
         |i: usize| (frame.world_from_joint[i] * figure.inverse_bind[i]).transform_point3(at);
     let expected = project(&frame.camera, place(upper) * 0.3 + place(fore) * 0.7);
-    // The two joints alone would take it to places well apart.
+    // Each joint alone would move it to a clearly different position.
     let alone_at = [upper, fore].map(|j| project(&frame.camera, place(j)));
     assert!(
         ops::hypot(alone_at[0].0 - alone_at[1].0, alone_at[0].1 - alone_at[1].1) > 5.0,
@@ -321,7 +321,7 @@ fn every_named_light_shows_the_figure_without_losing_it() {
         frame.lighting = light();
         device.set_figure(&figure).expect("a sound figure");
         let picture = draw(&mut device, &frame);
-        // A pixel that is no number is drawn black.
+        // A pixel that is NaN renders black.
         let black = picture
             .chunks_exact(4)
             .filter(|p| p[..3].iter().all(|&c| c == 0))

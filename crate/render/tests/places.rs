@@ -1,4 +1,4 @@
-//! Places about the speaker: what moves there does not flash, and stands still where it is to.
+//! Sets of the story: their motion does not flash, and they are still where required.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
@@ -116,7 +116,7 @@ fn a_flash_is_seen_as_one() {
 fn at_the_lowest_quality_a_place_is_a_still_layer() {
     let mut device = headless(Quality::Lowest);
     for (name, kind) in Set::NAMES {
-        // The first picture is drawn as it comes, the second lays the still down.
+        // The first frame renders directly, the second stores the still.
         drawn(&mut device, kind, 0.0);
         let still = drawn(&mut device, kind, 0.4);
         for i in 2..12 {

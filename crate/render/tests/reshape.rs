@@ -1,4 +1,4 @@
-//! A figure in another shape looks like the same one sent anew.
+//! A reshaped figure renders like the same figure uploaded again.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
@@ -79,7 +79,7 @@ fn another_shape_looks_like_a_figure_that_is_sent_anew() {
         assert!(stale != shaped, "cut: {is_cut}");
         let mut fresh = headless(Quality::Low);
         fresh.set_figure(&other).expect("a sound figure");
-        // What is on its way is shown where it is, if not as finely.
+        // During a transition, the shape is current but may be less detailed.
         assert!(moves || shaped == draw(&mut fresh), "cut: {is_cut}");
         sent = other;
     }

@@ -1,5 +1,5 @@
-//! Shadows on bodies made for it: without grain, and with no light where something stands
-//! before the lamp. What a face is drawn like, `close` tells.
+//! Shadows on test bodies: no grain, and no light behind an obstacle. `close` tests the rendering
+//! of a face.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
@@ -97,7 +97,7 @@ fn grain(picture: &[u8]) -> Vec<u8> {
 
 #[test]
 fn a_soft_shadow_has_no_grain() {
-    // A wall, and a ball and a thin rod before it, outside of the picture.
+    // A wall, and a ball and a thin rod in front of it, outside the frame.
     let wall = (
         MaterialKind::Plain,
         Vec3::new(0.0, 1.6, -2.0),
@@ -122,7 +122,7 @@ fn a_soft_shadow_has_no_grain() {
             let picture = red(&mut device, &frame);
             let (low, high) = (picture.iter().min(), picture.iter().max());
             assert!(low < Some(&60) && high > Some(&120), "{low:?} {high:?}");
-            // Dithering is worth one step of the picture's 255.
+            // Dithering changes a value by one of 255 steps.
             let strong = grain(&picture).into_iter().filter(|g| *g > 5).count();
             let share = strong as f64 / picture.len() as f64;
             assert!(share < 0.002, "{quality:?}, {far} m: {share}");
@@ -162,7 +162,7 @@ fn light_does_not_reach_round_what_stands_before_the_lamp() {
                 .zip(&as_plain)
                 .map(|(s, p)| s.saturating_sub(*p))
                 .max();
-            // 1 is drawn; where skin let the lamp's light round, it was 5.
+            // The value is 1; it was 5 when skin let the lamp's light wrap around.
             assert!(brighter < Some(3), "{quality:?} {towards}: {brighter:?}");
         }
     }

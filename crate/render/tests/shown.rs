@@ -1,4 +1,4 @@
-//! The figure by its edges, its corners, in clay, and its overlay.
+//! The figure as edges, vertices and clay, and its overlay.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
@@ -73,7 +73,7 @@ fn edges_leave_holes_and_corners_leave_more() {
         assert!(corners > solid / 60, "{quality:?}: {corners} of {solid}");
         assert!(edges > 2 * corners, "{quality:?}: {edges}, {corners}");
         assert!(edges < solid * 4 / 5, "{quality:?}: {edges} of {solid}");
-        // Once more as at first.
+        // The initial state again.
         assert_eq!(covered(Fill::Solid), solid);
     }
 }
@@ -94,7 +94,7 @@ fn without_the_body_an_empty_stage_is_left_and_bones_stand_on_it() {
     let skeleton = draw(&mut device, &frame, bones);
     let seen = differing(&empty, &skeleton, 20);
     assert!(seen > 250, "{seen} pixels");
-    // Over the body they are seen as they are without it.
+    // Over the body, the handles look the same as without it.
     let both = Visibility {
         body: true,
         ..bones
@@ -139,7 +139,7 @@ fn axes_have_their_colours_and_joints_theirs() {
 #[test]
 fn handles_are_drawn_where_they_are() {
     let (mut device, mut frame) = stage(Quality::High);
-    // In the middle of the picture, within the figure.
+    // In the centre of the image, inside the figure.
     frame
         .handles
         .push(DAffine3::from_translation(frame.camera.target_in_world));
@@ -165,7 +165,7 @@ fn handles_are_drawn_where_they_are() {
 fn clay_has_one_colour_and_no_pictures_leave_the_paint() {
     let (_, frame) = stage(Quality::High);
     let mut figure = common::figure();
-    // A red ball before the chest, whose picture is blue.
+    // A red ball in front of the chest, whose texture is blue.
     let mut ball = figure.meshes[0].clone();
     ball.morphs.clear();
     ball.material.kind = MaterialKind::Plain;

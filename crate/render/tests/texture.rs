@@ -1,4 +1,4 @@
-//! Pictures on surfaces.
+//! Textures on surfaces.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
@@ -160,7 +160,7 @@ fn a_normal_map_tilts_to_the_light_as_gltf_says() {
     frame.lighting.rim.irradiance = [0.0; 3];
     let mut device = headless(Quality::Low);
     device.set_figure(&figure).expect("a sound figure");
-    // Tilted by 30 degrees to +x, −x, +y (up the picture), −y in turn.
+    // Tilted by 30 degrees to +x, −x, +y (up in the image) and −y in turn.
     let mut brightness = |normal: [u8; 4], towards: DVec3| {
         device.set_image(1, 1, 1, &normal).expect("a sound picture");
         frame.lighting.key.towards_light_in_world = towards.normalize();
@@ -289,6 +289,6 @@ fn meshes_of_one_surface_are_drawn_in_one_call() {
     let mut device = headless(Quality::High);
     device.set_figure(&figure).expect("a sound figure");
     draw(&mut device, &frame);
-    // Once seen, and once in each of two shadows.
+    // One visible draw, and one in each of two shadows.
     assert_eq!(device.info().figure_draw_calls, 3);
 }

@@ -1,4 +1,4 @@
-//! Vertices that follow tissue: against sums made plainly, and as they are drawn.
+//! Tissue-bound vertices: comparison with plain sums, and their rendering.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
@@ -118,7 +118,7 @@ fn the_stream_tells_what_plain_sums_do() {
         let b = f32::from(told.complexion[3]) - 128.0;
         assert!(near(b, whole.blush, 1.0 / 127.0), "{vertex}");
     }
-    // Nodes that are not given, and those that make no sense, are at rest.
+    // Missing and invalid nodes are at rest.
     let mut broken = states.clone();
     broken.truncate(NODES / 2);
     broken[3].displacement[1] = f32::NAN;
@@ -237,7 +237,7 @@ fn bound_vertices_move_with_their_nodes_and_not_with_the_chin() {
     );
     frame.tissue.clear();
     assert!(rest == draw(&mut device, &frame), "back at rest");
-    // By its edges alone it moves as well.
+    // The wireframe moves too.
     frame.shown.fill = raconteur_stage::Fill::Wireframe;
     let edges = draw(&mut device, &frame);
     frame.tissue = vec![NodeState {
@@ -354,7 +354,7 @@ fn wrinkles_rise_by_their_channel_and_their_strength() {
         at([1.0, 0.0, 0.0]),
         at([0.0, 1.0, 0.0]),
     );
-    // What rises to the right looks to the left, away from the lamp.
+    // A surface rising to the right faces left, away from the lamp.
     assert!(
         red < half && half < flat && flat < green,
         "{red} {half} {flat} {green}"
@@ -425,7 +425,7 @@ fn blood_comes_and_goes() {
             pale[1] > rest[1] && rest[1] > red[1],
             "{pale:?} {rest:?} {red:?}"
         );
-        // Blood takes little of the red.
+        // Blood absorbs little red.
         let taken = |c: usize| red[c] / rest[c];
         assert!(taken(0) > 0.85 && taken(1) < 0.93, "{rest:?} {red:?}");
     }
@@ -462,7 +462,7 @@ fn lines_lie_over_the_body_and_faintly_behind_it() {
         "{behind} of {before}"
     );
     assert!(dot > 200.0 && dot < 0.5 * before, "{dot} of {before}");
-    // None is left when none is wanted.
+    // No lines are left when none are requested.
     assert!(
         without == draw(&mut device, &frame),
         "the image without lines equals that of the body"

@@ -1,4 +1,4 @@
-//! How parts of a head go along with its skin.
+//! Motion of a head's parts with its skin.
 
 use std::collections::BTreeMap;
 
@@ -84,7 +84,7 @@ impl<'a> Skin<'a> {
         } else {
             high - low
         };
-        // Nobody's skin is so large that the cells are too many.
+        // A human skin never exceeds the limit of cells.
         let count = |x: f64| ((x / CELL_M).floor() as i64 + 1).min(MAX_CELLS);
         let mut skin = Self {
             places,

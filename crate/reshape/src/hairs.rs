@@ -1,4 +1,4 @@
-//! Hair of one figure on the head of another, its colour, and what of it is beard.
+//! Hair of one figure on the head of another, its colour, and its beard.
 
 use super::wide;
 use raconteur_base::DVec3;

@@ -1,9 +1,10 @@
-//! Another face for a figure: its skin goes where a face model says, and all that lies in it or on it
-//! goes along (F&H 5.1 has no such thing; its faces do not move).
+//! New faces for figures: the skin takes the shape of a face model, and all parts in it or on it
+//! follow (F&H 5.1 has no such feature; its faces do not move).
 //!
-//! Does: skin, tissue, eyes, teeth and brows for a new face; hair and beards that others lend, fitted to it;
-//! glasses, jewels and hats; where freckles, moles and other marks lie.
-//! Does not: know of face models (it takes their numbers), make hair (`sculpt` does), or move anything.
+//! Scope: skin, tissue, eyes, teeth and brows for a new face; donor hair and beards, fitted to it;
+//! glasses, jewellery and hats; positions of freckles, moles and other marks.
+//! Out of scope: face models (the crate takes their numbers), hair generation (`sculpt`), and
+//! motion.
 
 mod accessory;
 mod carry;
@@ -220,7 +221,7 @@ impl Reshaper {
         let is_own = |t: &[u32; 3]| t.iter().all(|&v| (v as usize) < vertices);
         let corners = skin.indices.as_chunks::<3>().0;
         let triangles: Vec<[u32; 3]> = corners.iter().copied().filter(is_own).collect();
-        // Nothing of the body hangs on the head's vertices.
+        // No part of the body uses the head's vertices.
         let is_mixed = |t: &[u32; 3]| !is_own(t) && t.iter().any(|&v| (v as usize) < vertices);
         if corners.iter().any(is_mixed) {
             return Err(other("its head is grown together with other parts"));

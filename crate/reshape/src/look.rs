@@ -1,4 +1,4 @@
-//! What a head wears, and what hair it has, beside its face.
+//! Accessories and hair of a head, in addition to its face.
 
 use std::collections::BTreeMap;
 

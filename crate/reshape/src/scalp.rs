@@ -1,4 +1,4 @@
-//! The skin that hair grows on: its picture has the colour of the figure's own hair, which shows at partings.
+//! Scalp skin: its texture has the colour of the figure's own hair, which is visible at partings.
 
 use raconteur_base::DVec3;
 

@@ -1,5 +1,5 @@
-//! Freckles, spots of age, moles and stubble: small spots of a face, finer than its vertices. Each seed has places
-//! of its own; shaved hair stands alike on all.
+//! Freckles, age spots, moles and stubble: small spots of a face, finer than its vertices. Each
+//! seed has its own positions; shaved hair is the same on all faces.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DVec3, noise};

@@ -1,4 +1,4 @@
-//! Places on the skin of a head: what a ray meets, and where they are on its pictures.
+//! Points on the skin of a head: the hit of a ray, and its texture coordinates.
 
 use raconteur_base::{DAffine3, DVec3};
 
@@ -110,7 +110,7 @@ impl Reshaper {
         let [a, b, c] = corners(mesh, spot.corners)?;
         let (ab, ac) = (b - a, c - a);
         let normal = ab.cross(ac).try_normalize()?;
-        // Where the skin looks up, forwards is up.
+        // On upward-facing skin, forwards is up.
         let upright = if normal.y.abs() > 0.9 {
             DVec3::Z
         } else {

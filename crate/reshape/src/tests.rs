@@ -86,7 +86,7 @@ fn what_lies_in_and_on_the_face_goes_along() {
             let (p, q) = (wide(*p), wide(*q));
             let at = q - reshaper.origin;
             let wanted = at * 0.04;
-            // Locks stand off the skin that they go with.
+            // Locks are some distance from their skin.
             let most = match mesh.material.kind {
                 MaterialKind::Lash => 1.5e-3,
                 MaterialKind::Hair if at.y > 0.02 => 3e-3,

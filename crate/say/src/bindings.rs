@@ -1,4 +1,4 @@
-//! What a worker of a page calls.
+//! Functions exported to a page's worker.
 
 use js_sys::Object;
 use raconteur_voice::bake::page;

@@ -1,4 +1,4 @@
-//! Engines that the worker runs: objects of JavaScript that hold one.
+//! Speech engines of the worker, in JavaScript objects.
 
 use std::cell::RefCell;
 

@@ -1,10 +1,10 @@
-//! Speech made in a page: text in, sound with words, phones and melody out, by the baker's own
-//! code. A page loads this apart from the player, when something is to be said that has no
+//! Speech synthesis in a page: text in, audio with words, phones and pitch contour out, by the
+//! baker's own code. A page loads this crate separately from the player, when a text has no
 //! recording.
 //!
-//! Does: find what a script says and its bundle does not hold, plan it, speak it by an engine that
-//! the page runs, give it emotion and style, and write the bundle.
-//! Does not: fetch, play, or keep anything.
+//! Scope: finding the texts of a script that its bundle lacks, planning them, speaking them by an
+//! engine of the page, applying emotion and style, and writing the bundle.
+//! Out of scope: fetching, playback and storage.
 
 #[cfg(target_arch = "wasm32")]
 pub mod bindings;

@@ -247,7 +247,7 @@ fn append_morphs(
             } else {
                 turned[v] - rest[v]
             };
-            // A seventh of a millimetre and a turn below five degrees are nothing.
+            // A seventh of a millimetre and a turn below five degrees are negligible.
             if d.length() > 1.4e-4 || n.length() > 0.09 {
                 out.vertices.push(base + v as u32);
                 out.position_deltas.push(narrow(d));
@@ -356,8 +356,8 @@ fn four_weights(vertex: &PartVertex, skeleton: &Skeleton) -> ([u16; 4], [f32; 4]
         }
     }
     let mut sorted: Vec<(u16, f64)> = sums.into_iter().filter(|s| s.1 > 0.0).collect();
-    // Of more than four joints, helpers that turn almost as another of the same bone give
-    // way to it first.
+    // With more than four joints, helpers that turn almost like another joint of the same bone are
+    // merged into it first.
     let drive = |s: &(u16, f64)| skeleton.joints()[usize::from(s.0)].drive;
     let alike = |s: &(u16, f64), t: &(u16, f64)| {
         let (s, t) = (drive(s), drive(t));
@@ -392,7 +392,7 @@ fn four_weights(vertex: &PartVertex, skeleton: &Skeleton) -> ([u16; 4], [f32; 4]
     let stored = weights_in_255ths(weights);
     for i in 0..4 {
         weights[i] = f32::from(stored[i]) / 255.0;
-        // A joint without weight is joint 0, as glTF asks.
+        // A joint without weight is joint 0, as glTF requires.
         if stored[i] == 0 {
             joints[i] = 0;
         }

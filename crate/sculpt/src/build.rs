@@ -1,4 +1,4 @@
-//! How the parts of a figure come together.
+//! Assembly of a figure's parts.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
@@ -224,7 +224,7 @@ fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> (Vec<Mesh
     let mut parts = built.parts;
     for part in &mut parts {
         for v in &mut part.vertices {
-            // The end of the forearm draws in, so that it stays inside the cuff.
+            // The end of the forearm narrows, so that it stays inside the cuff.
             let up = v.position.dot(built.forearm_direction);
             let axis = built.forearm_direction * up;
             v.position = axis + (v.position - axis) * (1.0 - 0.28 * smooth((up - 0.015) / 0.025));
@@ -244,8 +244,8 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> MeshPart {
         .fold(f64::MIN, f64::max);
     let normals = shell.normals();
     for (p, n) in shell.points.iter_mut().zip(&normals) {
-        // Two sheets at one place would flicker; above the rim the head's skin leaves the
-        // body's, and this one must stay below it.
+        // Two coincident sheets would flicker; above the rim, the head's skin leaves the body's,
+        // and this one must stay below it.
         let hidden = smooth((p.y - rim) / (1.5 * CM));
         *p -= *n * (0.2 + 0.9 * hidden) * CM;
     }

@@ -1,4 +1,4 @@
-//! A figure as it comes from the making of it.
+//! Figure as built.
 
 use raconteur_body::annotation::Annotations;
 use raconteur_body::figure::Figure;

@@ -1,4 +1,4 @@
-//! Points in cubic cells, to find those near a place.
+//! Points in cubic cells, for searches by position.
 
 use std::collections::BTreeMap;
 

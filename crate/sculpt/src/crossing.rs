@@ -1,4 +1,4 @@
-//! The skin of a figure as one surface, to be looked at for places where it crosses itself.
+//! Skin of a figure as one surface, for the detection of self-intersections.
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,5 @@
-//! Heads drawn at random, all in correspondence: the examples that a face space is learned from
-//! (F&H 3.2.1, which took scans).
+//! Random heads in correspondence: the examples for learning a face space (F&H 3.2.1, which used
+//! scans).
 
 use std::collections::BTreeMap;
 
@@ -320,7 +320,7 @@ pub fn measured_mm(place: &dyn Fn(&str) -> Option<DVec3>) -> Vec<(&'static str, 
 /// A measure between two landmarks of the skin, millimetres.
 fn distance_mm(measure: &KnownMeasure, place: &dyn Fn(&str) -> Option<DVec3>) -> Option<f64> {
     let (from, to) = measure.landmarks.split_once('-')?;
-    // What both sides have is taken on the left.
+    // Paired landmarks are taken on the left.
     let side = |name: &str| place(name).or_else(|| place(&format!("{name}_l")));
     let way = side(from)? - side(to)?;
     Some(

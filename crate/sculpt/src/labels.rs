@@ -1,5 +1,5 @@
-//! How much examples have of each facial attribute (F&H 3.2.2 and Table 5.2). The thesis had them
-//! rated; where an attribute is a measure, or part of what a head was made of, it is read instead.
+//! Labels of examples for each facial attribute (F&H 3.2.2 and Table 5.2). The thesis used ratings;
+//! where an attribute is a measure, or a parameter of the head, its value is read instead.
 
 use raconteur_base::{DVec3, Side, ops};
 
@@ -144,7 +144,7 @@ const fn derived(mut label: Label, formula: &'static str) -> Label {
 #[rustfmt::skip]
 pub const LABELS: [Label; 51] = [
     label("overall", "sex", ["masculine", "feminine"], Both, |e| known_value(e.draft.traits.sex)),
-    // Where fat shows in a face, each part in its own deviations.
+    // Facial signs of fat, each in units of its own deviation.
     label("overall", "weight", ["slender", "obese"], Shape, |e| {
         let cheeks = mirrored_pair_middle(e, "chk")?.x / 3.0 + mirrored_pair_middle(e, "go")?.x / 5.0;
         Some(cheeks + e.draft.traits.weight / 0.13 + e.field("double chin")? / 0.5)
@@ -167,7 +167,7 @@ pub const LABELS: [Label; 51] = [
         Some(cheek.x - 0.5 * (zy.x + go.x) + cheek.z - zy.z)
     }),
     label("face shape", "cheekbones", ["flat", "prominent"], Shape, |e| {
-        // How far the bone stands out over the rim of the orbit and the cheek.
+        // The projection of the bone beyond the rim of the orbit and the cheek.
         let (zy, cheek) = (mirrored_pair_middle(e, "zy")?, mirrored_pair_middle(e, "chk")?);
         Some(zy.x - cheek.x + 2.0 * before(mirrored_pair_middle(e, "zm")?, mirrored_pair_middle(e, "or")?, cheek))
     }),

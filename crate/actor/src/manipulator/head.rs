@@ -176,7 +176,8 @@ impl HeadRig {
         found
     }
 
-    /// The axes of the joints and a point on each, figure axes, for inverse velocity.
+    /// Returns the axis of each joint of neck and skull and a point on it, figure axes; the
+    /// Jacobian for inverse velocity uses them.
     pub(super) fn axes(&self, joints: &Joints, base: &LimbBase) -> [(DVec3, DVec3); 7] {
         let tilted = base.rotation * DQuat::from_rotation_z(-joints[0]);
         let neck = base.rotation * Self::neck_turn(joints);
@@ -196,7 +197,7 @@ impl HeadRig {
     }
 }
 
-/// Both sets of turn, nod and tilt of a skull's turn.
+/// Returns both solutions for turn, nod and tilt of a skull rotation, radians.
 fn turn_angles(turn: DQuat) -> [[f64; 3]; 2] {
     let m = DMat3::from_quat(turn);
     let (x, y, z) = (m.x_axis, m.y_axis, m.z_axis);

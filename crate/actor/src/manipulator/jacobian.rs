@@ -14,12 +14,12 @@ const METRES_PER_RAD: f64 = 0.3;
 const MANIPULABLE: f64 = 0.37;
 const DAMPING: f64 = 0.05;
 
-/// Linear and angular velocity of the end of a limb, figure axes.
+/// Linear and angular velocity of a limb's end, figure axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist {
-    /// Metres a second.
+    /// Linear velocity, m/s.
     pub linear: DVec3,
-    /// Radians a second.
+    /// Angular velocity, rad/s.
     pub angular: DVec3,
 }
 
@@ -66,7 +66,8 @@ pub fn joint_speeds(axes: &[(DVec3, DVec3); 7], end: DVec3, twist: &Twist) -> [f
     columns.map(|c| c.iter().zip(&solved).map(|(a, b)| a * b).sum())
 }
 
-/// The lower triangle L with L·Lᵀ = `square` + `damping`·1.
+/// Returns the Cholesky factor of a damped matrix: the lower triangle L with L·Lᵀ = `square` +
+/// `damping`·1.
 fn cholesky(square: &[[f64; 6]; 6], damping: f64) -> [[f64; 6]; 6] {
     let mut lower = [[0.0; 6]; 6];
     for i in 0..6 {

@@ -36,7 +36,8 @@ pub use path::{Path, PathShape, Placement};
 pub use perform::Manipulators;
 pub use smoothing::MAX_RAD_PER_S;
 
-/// A limb's motion.
+/// Motion or setting that a script commands for a limb, for example to joint angles, to a frame, or
+/// along a path.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
     /// Turns the manipulator and its limits on or off; `None` keeps a setting.
@@ -56,14 +57,14 @@ pub enum Motion {
         /// Duration, seconds; 0 sets the angles instantly.
         secs: f64,
     },
-    /// To a frame by the joints (GEVH D.3.21).
+    /// Moves to a target frame by interpolating the joint angles (GEVH D.3.21).
     JointInterpolation {
         /// Destination, figure axes.
         to: RigidFrame,
         /// Speed of the joints.
         pace: JointSpeed,
     },
-    /// To a frame on a straight line with the shortest turn (GEVH D.3.22).
+    /// Moves to a target frame on a straight line with the shortest rotation (GEVH D.3.22).
     FrameInterpolation {
         /// Destination, figure axes.
         to: RigidFrame,
@@ -72,7 +73,7 @@ pub enum Motion {
     },
     /// Along a function of time (GEVH D.3.23).
     Function(Box<Path>),
-    /// To a frame by inverse velocity (GEVH D.3.24).
+    /// Moves to a target frame by inverse velocity, with the Jacobian (GEVH D.3.24).
     JacobianTarget(RigidFrame),
     /// Moves at velocities by inverse velocity until the next command (GEVH D.3.24).
     JacobianVelocity {
@@ -87,7 +88,8 @@ pub enum Motion {
     Lock(bool),
 }
 
-/// Speed of a joint motion.
+/// Speed of an interpolation between joint angles, as a duration (seconds) or an angular speed
+/// (rad/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointSpeed {
     /// Total duration in seconds.
@@ -96,31 +98,31 @@ pub enum JointSpeed {
     RadPerSec(f64),
 }
 
-/// A motion at its time.
+/// Command to a limb: a motion and the story time at which it starts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Command {
-    /// Story time, seconds.
+    /// Start of the motion, story time, seconds.
     pub time_secs: f64,
-    /// Limb to move.
+    /// Limb (or the head) that performs the motion.
     pub limb: Limb,
     /// Motion of the limb.
     pub motion: Motion,
 }
 
-/// A motion of the whole figure at its time (GEVH D.1.6).
+/// Motion of the whole figure along a path, with its start time (GEVH D.1.6).
 #[derive(Clone, Debug, PartialEq)]
 pub struct RootMotion {
-    /// Story time, seconds.
+    /// Start of the motion, story time, seconds.
     pub time_secs: f64,
     /// Path of the floor point under the figure, world, and its turn.
     pub path: Path,
 }
 
-/// All commands to the manipulators of one figure, in any order; of commands at
-/// one time the last one counts.
+/// All commands to the manipulators of one figure, in any order; of simultaneous commands the last
+/// one counts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ManipulatorScript {
-    /// Motions of limbs.
+    /// Commands to limbs and head.
     pub commands: Vec<Command>,
     /// Motions of the figure.
     pub moves: Vec<RootMotion>,

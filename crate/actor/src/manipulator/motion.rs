@@ -13,7 +13,8 @@ pub(super) const SETTLE_SECS: f64 = 0.6;
 /// Acceleration and deceleration time at a given joint speed, seconds.
 const RAMP_SECS: f64 = 0.2;
 
-/// A limb held by its joints.
+/// Limb posture given by joint angles, with the wrist position that drives the shoulder girdle and
+/// the leans of the spine that the limb requires.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct HeldLimb {
     pub(super) joints: Joints,
@@ -64,7 +65,7 @@ pub(super) enum MotionGoal {
     },
 }
 
-/// Kind of motion of a segment.
+/// Kind of motion that a limb performs in one segment of its track.
 #[derive(Clone, Debug)]
 pub(super) enum MotionKind {
     /// Joint angles, with minimum jerk or at an even speed.
@@ -112,7 +113,7 @@ impl MotionKind {
     }
 }
 
-/// A motion from where the limb was.
+/// Motion of a limb, with the offsets of its initial posture that decay after the start.
 #[derive(Clone, Debug)]
 pub(super) struct LimbMotion {
     pub(super) kind: MotionKind,
@@ -127,10 +128,10 @@ pub(super) struct LimbMotion {
     pub(super) mend: JointCorrection,
 }
 
-/// Offset of joints from their goal.
+/// Offset of a limb's joints from their goal at the start of a motion; it decays.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct JointCorrection {
-    /// Each joint, radians; of limbs those of the shoulder or hip are 0.
+    /// Offset of each joint, radians; 0 for shoulder or hip joints of a limb.
     pub(super) joints: Joints,
     /// The turn of the upper bone of a limb, which has two sets of angles.
     pub(super) upper: DQuat,

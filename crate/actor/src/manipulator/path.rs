@@ -10,9 +10,9 @@ use raconteur_base::{DMat3, DQuat, DVec3, Length, ops};
 
 use crate::limb::RigidFrame;
 
-/// A placement with optional components. Positions in metres, figure axes (or world, for the whole
-/// figure); angles in radians: yaw about y, then pitch about x, then roll about z, each in the
-/// turned axes.
+/// Placement with optional components; an absent one keeps its present value. Positions in metres,
+/// figure axes (world for the whole figure); angles in radians: yaw about y, then pitch about x,
+/// then roll about z, each in the rotated axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placement {
     /// x, y and z.
@@ -41,7 +41,7 @@ impl Placement {
     }
 }
 
-/// Yaw, pitch and roll as a rotation.
+/// Returns the rotation of yaw, pitch and roll, radians.
 #[must_use]
 pub fn rotation_from([yaw, pitch, roll]: [f64; 3]) -> DQuat {
     DQuat::from_rotation_y(yaw) * DQuat::from_rotation_x(pitch) * DQuat::from_rotation_z(roll)
@@ -52,7 +52,7 @@ fn tilt_of([_, pitch, roll]: [f64; 3]) -> DQuat {
     rotation_from([0.0, pitch, roll])
 }
 
-/// A rotation as yaw, pitch and roll, radians, the pitch in −π/2..π/2.
+/// Returns yaw, pitch and roll of a rotation, radians, with the pitch in −π/2..π/2.
 #[must_use]
 pub fn angles_of(rotation: DQuat) -> [f64; 3] {
     let m = DMat3::from_quat(rotation);
@@ -66,7 +66,7 @@ pub fn angles_of(rotation: DQuat) -> [f64; 3] {
     }
 }
 
-/// The form of a path.
+/// Geometric shape of a path: line, wave, Bézier or Hermite curve, ellipse or helix, or lemniscate.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PathShape {
     /// A straight line.
@@ -90,11 +90,11 @@ pub enum PathShape {
     },
     /// A circle, an ellipse or, with a rise, a helix.
     Round {
-        /// Its middle.
+        /// Centre of the ellipse.
         centre: Placement,
         /// Direction that its plane faces; any length, the front where it is zero.
         normal: DVec3,
-        /// Half axes: sideways, and upwards in the plane, metres.
+        /// Half axes of the ellipse in its plane, sideways and upwards, metres.
         radii: [f64; 2],
         /// Angle at which it starts, from sideways (the figure's left when the plane faces
         /// the front) upwards, radians.
@@ -106,11 +106,11 @@ pub enum PathShape {
     },
     /// Bernoulli's lemniscate, a lying eight.
     Lemniscate {
-        /// Its middle.
+        /// Centre of the lemniscate.
         centre: Placement,
         /// Direction that its plane faces, as above.
         normal: DVec3,
-        /// From the middle to either end, metres.
+        /// Distance from the centre to either end, metres.
         half_width: f64,
         /// Rotation about the normal, radians.
         tilt_rad: f64,
@@ -119,16 +119,17 @@ pub enum PathShape {
     },
 }
 
-/// A function of time.
+/// Scripted path of a limb or of the whole figure as a function of time; components left open use
+/// the present place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// Its form.
+    /// Geometric shape of the path.
     pub shape: PathShape,
     /// Start; `None` is the present place of the limb. Round shapes use the angles only.
     pub from: Placement,
     /// End; `None` repeats the start.
     pub to: Placement,
-    /// Duration, seconds.
+    /// Duration of one pass, seconds.
     pub period_secs: f64,
     /// True if it repeats after its period.
     pub looping: bool,
@@ -189,7 +190,7 @@ const EASED_PEAK: f64 = 4.0 / 3.0;
 /// second, as in a dancer's pirouette.
 pub const MAX_TURN_RAD_PER_S: f64 = 1.5 * TAU;
 
-/// A path ready to be followed.
+/// Path with its open components filled in from the start position, ready to be sampled.
 #[derive(Clone, Debug)]
 pub struct TimedPath {
     form: PathGeometry,
@@ -199,9 +200,9 @@ pub struct TimedPath {
     by_angles: bool,
     period_secs: f64,
     looping: bool,
-    /// From the curve's beginning to where the limb was.
+    /// Offset from the start of the path to the initial place of the limb; it decays.
     lag: OffsetDecay,
-    /// From the curve's beginning to its end, for the next round.
+    /// Offset from the start of the path to its end, made up in the next round of a loop.
     seam: OffsetDecay,
 }
 
@@ -239,7 +240,7 @@ impl OffsetDecay {
 }
 
 impl PathGeometry {
-    /// The line of a path for a limb or figure that is at `now`.
+    /// Returns the geometry of a path for a limb or figure that is at `now`.
     fn new(path: &Path, now: &RigidFrame) -> Self {
         let start = path.from.position_or(now.position);
         let end = path.to.position_or(start);
@@ -333,7 +334,7 @@ impl TimedPath {
         curve
     }
 
-    /// Returns the start of the curve.
+    /// Returns position and orientation at the start of the path.
     #[must_use]
     pub fn start(&self) -> RigidFrame {
         self.on_form(0.0)
@@ -367,7 +368,7 @@ impl TimedPath {
         }
     }
 
-    /// Returns the frame some seconds after its start.
+    /// Returns position and orientation of the path `secs` after the start of the motion.
     #[must_use]
     pub fn sample(&self, secs: f64) -> RigidFrame {
         let secs = secs.max(0.0);
@@ -400,7 +401,7 @@ fn cubic(start: DVec3, end: DVec3, across: DVec3, cycles: f64) -> PathGeometry {
     PathGeometry::Cubic([start, b, c, end], across, cycles)
 }
 
-/// Time that begins at rest and has caught up after `gather` seconds.
+/// Returns time that starts with zero speed and catches up with `secs` after `gather` seconds.
 fn eased(secs: f64, gather: f64) -> f64 {
     let s = secs / gather;
     if s >= 1.0 || gather <= 0.0 {

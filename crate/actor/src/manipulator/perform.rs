@@ -19,7 +19,8 @@ use crate::limb::solve::Solutions;
 use crate::limb::{ARM_BONES, ArmRig};
 use crate::limb::{Joints, Limb, RigidFrame, Sex};
 
-/// Rigs of a figure with the scheduled motions of each limb.
+/// Manipulators of a figure: rigs of limbs and head, with the scheduled motions of each; solves
+/// them at any story time.
 #[derive(Clone, Debug)]
 pub struct Manipulators {
     pub(super) arms: [Arc<ArmRig>; 2],
@@ -48,7 +49,7 @@ impl Manipulators {
         all
     }
 
-    /// Manipulators without commands.
+    /// Creates manipulators without commands for a skeleton.
     #[must_use]
     pub fn at_rest(skeleton: &Skeleton, sex: Sex, arms: [Arc<ArmRig>; 2]) -> Self {
         let [left, right] = arms.each_ref().map(|arm| arm.limb().clone());
@@ -130,7 +131,8 @@ impl Manipulators {
         targets
     }
 
-    /// Turns the head; after gaze has turned it.
+    /// Turns the head towards its manipulator target in a pose. Call it after gaze has turned the
+    /// head.
     pub fn head(&self, skeleton: &Skeleton, time_secs: f64, pose: &mut Pose) {
         let Some((goal, weight)) = self.goal(Limb::Head, time_secs) else {
             return;

@@ -7,7 +7,7 @@ use super::RootMotion;
 use super::path::TimedPath;
 use crate::limb::RigidFrame;
 
-/// The figure's motions in order.
+/// Motions of the whole figure over the story, in order of time.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RootTrack {
     moves: Vec<(f64, TimedPath)>,

@@ -59,13 +59,14 @@ struct ScannedLimb {
     rests: bool,
 }
 
-/// The state of following.
+/// State of the scan that follows all limbs at even time steps when a script is compiled, to find
+/// jumps of their joints.
 #[derive(Debug)]
 pub(super) struct Scan {
     limbs: [ScannedLimb; 5],
-    /// From when on each limb's motion is over, seconds.
+    /// End of each limb's motion, story time, seconds.
     rests_from: [f64; 5],
-    /// From when on everything is, seconds.
+    /// End of all motions, story time, seconds.
     busy_until: f64,
     /// Flags of the limbs that move in a loop, and of the figure: they never rest.
     loops: [bool; 5],
@@ -88,7 +89,7 @@ impl Scan {
         }
     }
 
-    /// A limb begins to move: for some seconds, or without end.
+    /// Records that a limb starts to move, for `secs` seconds; infinite for a loop.
     pub(super) fn limb_moves(&mut self, limb: Limb, from_secs: f64, secs: f64) {
         let until_secs = from_secs + followed_secs(secs);
         self.busy_until = self.busy_until.max(until_secs);
@@ -96,12 +97,13 @@ impl Scan {
         self.loops[limb.index()] = secs.is_infinite();
     }
 
-    /// A limb is cut to other joints: it need not catch up with anything.
+    /// Resets a limb that a command switches to other joints, so that no jump is smoothed.
     pub(super) fn reset(&mut self, limb: Limb) {
         self.limbs[limb.index()] = ScannedLimb::default();
     }
 
-    /// The figure begins to move, and all limbs with it.
+    /// Records that the figure starts to move, and all limbs with it, for `secs` seconds; infinite
+    /// for a loop.
     pub(super) fn figure_moves(&mut self, from_secs: f64, secs: f64) {
         let until_secs = from_secs + followed_secs(secs);
         self.busy_until = self.busy_until.max(until_secs);

@@ -2,14 +2,15 @@
 
 use raconteur_body::{Pose, Skeleton};
 
-/// State of the figure at one instant.
+/// Skeleton and pose of the figure at one time.
 #[derive(Clone, Copy)]
 pub(super) struct FigureState<'a> {
     pub(super) skeleton: &'a Skeleton,
     pub(super) pose: &'a Pose,
 }
 
-/// Context for resolving commands.
+/// Context for compiling commands: the skeleton, and the pose of the figure without manipulators at
+/// any time.
 pub(super) struct CommandContext<'a> {
     pub(super) skeleton: &'a Skeleton,
     pub(super) idle: &'a dyn Fn(f64, &mut Pose),

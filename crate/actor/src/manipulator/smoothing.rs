@@ -38,7 +38,8 @@ pub(super) fn spline(u: f64) -> [f64; 4] {
     ]
 }
 
-/// State of a limb at an even time.
+/// State of a limb at one even time step: its joints, and whether they drive the limb instead of
+/// the target.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     pub(super) joints: Joints,
@@ -47,7 +48,8 @@ pub(super) struct Sample {
     pub(super) leads: [bool; 2],
 }
 
-/// Even times without a gap, from one on which a limb moves to one on which it rests.
+/// Unbroken run of even time steps during which the joints of a limb are recorded, from its motion
+/// until it rests.
 #[derive(Clone, Debug)]
 pub(super) struct Interval {
     /// The even time from which it counts.
@@ -64,7 +66,7 @@ pub(super) struct Interval {
     pub(super) takes: bool,
 }
 
-/// Joints that drive a limb in addition to its target at one time.
+/// Recorded joints that drive a limb at one time, with their weights relative to the target.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SmoothedPath {
     pub(super) joints: Joints,
@@ -75,7 +77,7 @@ pub(super) struct SmoothedPath {
     pub(super) weight_unmet: f64,
 }
 
-/// Smoothed intervals of one limb, in order of time.
+/// Smoothed intervals of one limb, sorted by time; avoid jumps of the joints.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SmoothedPaths {
     pub(super) stretches: Vec<Interval>,
@@ -194,7 +196,7 @@ impl Interval {
         })
     }
 
-    /// The even time after the last sample.
+    /// Returns the even time step after the last sample.
     pub(super) fn next(&self) -> i64 {
         self.first + self.samples.len() as i64
     }

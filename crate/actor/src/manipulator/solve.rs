@@ -31,7 +31,8 @@ const FORCED_M: f64 = 0.15;
 /// movement.
 const EVEN_SECS: f64 = 1.0 / 20.0;
 
-/// Options for placing a limb.
+/// Options for solving a limb: weights of joint limits and girdle motion, swivel angle and joint
+/// preference.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SolveOptions {
     /// Weight of the joint limits.
@@ -44,10 +45,11 @@ pub(super) struct SolveOptions {
     pub(super) preference: JointPreference,
 }
 
-/// Request for moving a limb to a frame.
+/// Conditions for the joints that bring a limb to a frame: swivel angle, weight of the limits, and
+/// joints to stay near.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReachRequest<'a> {
-    /// Of elbow or knee from the natural direction, radians.
+    /// Swivel angle of elbow or knee, radians from the natural direction.
     pub(super) swivel_rad: f64,
     /// Weight of the joint limits, 0 to 1.
     pub(super) limited: f64,
@@ -55,7 +57,7 @@ pub(super) struct ReachRequest<'a> {
     pub(super) current: Option<&'a Joints>,
 }
 
-/// Closest solution to a goal.
+/// Solution of a limb closest to a goal: joints and bones, with the corrections that limits forced.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LimbSolution {
     pub(super) base: LimbBase,

@@ -20,14 +20,14 @@ struct TrackSegment {
     start_secs: f64,
     /// Index of the course.
     course: usize,
-    /// Its time at the segment's beginning, seconds.
+    /// Time on the motion's own clock at the start of the segment, seconds.
     from_secs: f64,
     /// True if it comes to rest from there.
     brakes: bool,
 }
 
 impl TrackSegment {
-    /// The time of its course at a time, seconds.
+    /// Returns the time on the motion's own clock at a story time, seconds.
     fn run(&self, time_secs: f64) -> f64 {
         let since = time_secs - self.start_secs;
         self.from_secs
@@ -61,13 +61,14 @@ impl Switch {
     }
 }
 
-/// The last switch up to a time.
+/// Returns the last switch at or before a time; `None` before the first.
 fn last(switches: &[Switch], time_secs: f64) -> Option<&Switch> {
     let thrown = switches.partition_point(|s| s.time_secs <= time_secs);
     switches.get(thrown.checked_sub(1)?)
 }
 
-/// The commands of one limb.
+/// Compiled commands of one limb over the story: motions, segments, and switches of control and
+/// limits.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LimbTrack {
     motions: Vec<LimbMotion>,
@@ -214,7 +215,7 @@ impl LimbTrack {
         self.limits.last().is_none_or(|s| s.on)
     }
 
-    /// The segment that is on at a time.
+    /// Returns the segment that is active at a time; `None` before the first.
     fn segment(&self, time_secs: f64) -> Option<TrackSegment> {
         let begun = self.segments.partition_point(|s| s.start_secs <= time_secs);
         self.segments.get(begun.checked_sub(1)?).copied()

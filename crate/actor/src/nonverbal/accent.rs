@@ -4,11 +4,11 @@ use raconteur_speech::Utterance;
 
 /// Strength of the accents of an emphasised word; 1 is an ordinary accent. Designed.
 const EMPHASIS_ACCENT: f64 = 1.4;
-/// Most that the accent of an emphasised word lasts where its syllables are unknown, seconds.
-/// Designed.
+/// Maximum duration of the accent of an emphasised word without known syllables, seconds. Designed.
 const SYLLABLE_SECS: f64 = 0.3;
 
-/// An accented syllable.
+/// Accented syllable of an utterance with its interval, strength and ToBI label; head and gaze
+/// react to it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Accent {
     /// Seconds from the start of the utterance.
@@ -17,11 +17,12 @@ pub(super) struct Accent {
     pub(super) end_secs: f64,
     /// 0..2; 1 is an ordinary accent.
     pub(super) strength: f64,
-    /// Its name in ToBI, for example `H*`; empty or `*` where it is not known.
+    /// ToBI label of the accent, for example `H*`; empty or `*` if unknown.
     pub(super) label: String,
 }
 
-/// The accents of an utterance, by time; without any, the beginnings of emphasised words.
+/// Returns the accents of an utterance in order of time. Without known accents, it uses the
+/// beginnings of emphasised words.
 pub(super) fn known(u: &Utterance) -> Vec<Accent> {
     let is_emphasized = |word: usize| u.words.get(word).is_some_and(|w| w.emphasized);
     let known = u.accents.iter().filter_map(|accent| {
@@ -55,7 +56,7 @@ mod tests {
     use raconteur_speech::bundle::{Accent as Label, Syllable};
     use raconteur_speech::{Phone, Word};
 
-    /// Two words of one syllable each, the second emphasised.
+    /// Creates a test utterance of two words with one syllable each, the second emphasised.
     fn two_words() -> Utterance {
         let word = |start_secs: f64, emphasized| Word {
             text: "word".to_owned(),

@@ -20,9 +20,9 @@ use raconteur_base::noise;
 use super::speech_features::SpeechFeatures;
 use crate::idle::stream;
 
-/// Closing phase, seconds (*paper*).
+/// Duration of the closing phase of a blink, seconds (*paper*).
 pub const CLOSING_SECS: f64 = 0.085;
-/// Closed phase, seconds (*paper*).
+/// Duration of the closed phase of a blink, seconds (*paper*).
 pub const CLOSED_SECS: f64 = 0.02;
 /// Opening phase, seconds (*paper*: 150 to 300 ms with a slow end, Kwon et al. 2013,
 /// doi:10.1098/rsif.2013.0227).
@@ -40,7 +40,7 @@ const APART_SECS: f64 = 0.7;
 const AT_REST: f64 = 0.77;
 /// Share of blinks followed by a second one. Designed.
 const DOUBLETS: f64 = 0.09;
-/// From opened to closing again in a doublet, seconds. Designed.
+/// Pause between the two blinks of a doublet, from opened to closing again, seconds. Designed.
 const DOUBLET_PAUSE_SECS: f64 = 0.06;
 /// Share of blinks that do not close the eye fully (*paper*), and their extent: shares of the full
 /// closure (*paper*: women's mostly 51 to 75 %, men's from 25 % on; the smallest ones, which are
@@ -50,7 +50,7 @@ const PARTIAL_WAY: [f64; 2] = [0.5, 0.8];
 /// Phases differ from their lengths by no more than this share to be on a phone boundary.
 const SNAPPED: f64 = 0.25;
 
-/// One blink, seconds of the story.
+/// Blink of both eyes: the times of its phases (story time, seconds) and its depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Blink {
     /// Times of the start of closing, full closure, start of opening and end of opening.
@@ -89,7 +89,7 @@ impl Blink {
     }
 }
 
-/// Planned blinks of the eyes.
+/// Planned blinks of a figure over the story; give the closure of the lids at any time.
 #[derive(Clone, Debug)]
 pub(super) struct Blinks {
     /// Blinks in intervals with speech, by the number of the interval.
@@ -110,7 +110,7 @@ enum RandomDraw {
 }
 
 impl Blinks {
-    /// `rate` is a multiple of the natural frequency.
+    /// Plans the blinks from speech features. `rate` is a multiple of the natural blink frequency.
     pub(super) fn new(heard: &SpeechFeatures, rate: f64, seed: u64) -> Self {
         let mut blinks = Self {
             planned: Vec::new(),

@@ -4,9 +4,9 @@
 /// that of a phone.
 const STEP: usize = 8;
 
-/// The cubic B-spline curve of evenly spaced control points, each the mean of the frames
-/// around it, at every frame. It has no extremum that its control points do not have
-/// (variation diminishing; Schoenberg 1967).
+/// Returns a cubic B-spline approximation of measured frames, one value per frame; each control
+/// point is the mean of the frames around it. It adds no extremum beyond those of the control
+/// points (variation diminishing; Schoenberg 1967).
 pub(super) fn approximate(frames: &[f64]) -> Vec<f64> {
     if frames.is_empty() {
         return Vec::new();
@@ -28,10 +28,10 @@ pub(super) fn approximate(frames: &[f64]) -> Vec<f64> {
     (0..frames.len()).map(at).collect()
 }
 
-/// An extremum of a curve.
+/// Local extremum of a curve of measured frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extremum {
-    /// Its frame.
+    /// Index of the frame at which the extremum occurs.
     pub(super) frame: usize,
     /// True for a maximum.
     pub(super) is_max: bool,

@@ -1,12 +1,12 @@
 //! Extremum of the pitch contour.
 
-/// An extremum of the pitch.
+/// Extremum of the pitch contour of speech; head and brows are raised at maxima.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extreme {
     /// Story time, seconds.
     pub(super) at_secs: f64,
-    /// Of a maximum its height in the speaker's range, above 0 to 1; 0 of a minimum.
+    /// Relative height of a maximum in the speaker's pitch range, above 0 to 1; 0 for a minimum.
     pub(super) height: f64,
-    /// It marks a question.
+    /// True if the extremum marks a question.
     pub(super) is_question: bool,
 }

@@ -80,11 +80,12 @@ struct GazeDemand {
     start_secs: f64,
     end_secs: f64,
     want: GazePurpose,
-    /// Of two at a time the higher one counts.
+    /// Priority; of overlapping demands the one with the higher rank applies.
     rank: u8,
 }
 
-/// The gaze over the turns of a story: yaw (left) and pitch (down) from the listener.
+/// Gaze of a speaker over a story: yaw (left) and pitch (down) of eyes and head, relative to the
+/// listener.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Gaze {
     /// The whole of it.
@@ -125,7 +126,7 @@ impl Gaze {
     }
 }
 
-/// Everything that is demanded, by time.
+/// Returns all gaze demands of speech, pauses and thought, sorted by time.
 fn demands(
     heard: &SpeechFeatures,
     thoughts: &[ThinkingPause],
@@ -348,7 +349,7 @@ impl GazePlan {
         self.at = to;
     }
 
-    /// Somewhere on the listener's face.
+    /// Returns a random gaze direction within the listener's face: yaw and pitch, radians.
     fn on_face(&mut self) -> [f64; 2] {
         [0, 1].map(|_| ON_FACE_RAD * (2.0 * self.unit() - 1.0) * self.amount.min(1.0))
     }
@@ -375,7 +376,7 @@ impl GazePlan {
         to.map(|a| a * fitted / distance)
     }
 
-    /// The direction of a saccade as an angle from the left to below, radians.
+    /// Returns a random direction of a saccade as an angle from left towards down, radians.
     fn direction(&mut self) -> f64 {
         let mut left = self.unit() * DIRECTIONS.iter().sum::<f64>();
         let mut eighth = 0.0;

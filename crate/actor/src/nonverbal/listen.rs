@@ -22,7 +22,8 @@ const SACCADE_SECS: f64 = 0.055;
 /// Time in which a listener becomes a speaker and back, seconds. Designed.
 const CHANGE_SECS: f64 = 0.25;
 
-/// The gaze between turns.
+/// Gaze of a figure while it listens or is silent: small steps over the other's face and short
+/// looks aside.
 #[derive(Clone, Debug)]
 pub(super) struct ListenerGaze {
     /// Spans in which the speaker's own plan rules, by time.
@@ -80,7 +81,8 @@ impl ListenerGaze {
         [side * (0.1 + 0.15 * r(3)), -0.05 + 0.2 * r(4)].map(|a| a * (there - back))
     }
 
-    /// Small steps over the other's face.
+    /// Returns the gaze offset of small steps over the other's face at a time: yaw and pitch,
+    /// radians.
     fn fixation(&self, time_secs: f64) -> [f64; 2] {
         let bucket = (time_secs / FIXATION_SECS).floor();
         let i = bucket as i64;

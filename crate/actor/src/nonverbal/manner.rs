@@ -1,18 +1,19 @@
 //! Amounts and rates of a character's accompaniment of speech.
 
-/// Source of the plan of expressions (F&H sections 4.2 and 4.3).
+/// Source from which facial expressions of speech are planned: audio or text (F&H sections 4.2 and
+/// 4.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PlanBasis {
     /// From the audio: fundamental frequency and pauses (section 4.2). An utterance of unknown
     /// frequency is planned from the text.
     #[default]
     Audio,
-    /// From the text: accents, phrases and kinds of sentences (section 4.3).
+    /// Planned from accents, phrases and sentence types of the text (section 4.3).
     Text,
 }
 
-/// Amounts and frequencies of a character's expressions. The default has the published
-/// numbers, where there are any; other numbers make other temperaments (section 4.2.2).
+/// Amounts and frequencies of a character's non-verbal expressions. The default uses the published
+/// numbers, where there are any; other numbers give other temperaments (section 4.2.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Manner {
     /// Source of the plan.
@@ -20,12 +21,12 @@ pub struct Manner {
     /// Amount of head raise and tilt, 0 to 1: at 1 the highest pitch raises it by
     /// [`HEAD_RAISE_RAD`](super::HEAD_RAISE_RAD).
     pub head: f64,
-    /// In which share of the raises the head tilts to a side (section 4.3.5: 0.75).
+    /// Share of head raises with a tilt to one side (section 4.3.5: 0.75).
     pub tilt_share: f64,
     /// Amount of raising and drawing together the brows, 0 to 2.
     pub brows: f64,
-    /// At which share of the highest pitches the brows are raised (section 4.3.5 after Cavé
-    /// et al. 1996: 0.71).
+    /// Share of the highest pitches at which the brows are raised (section 4.3.5 after Cavé et al.
+    /// 1996: 0.71).
     pub brow_share: f64,
     /// Prominence of a pitch maximum over the neighbouring minima from which it is shown,
     /// semitones. Designed; F&H describe it as speaker-dependent.
@@ -36,7 +37,8 @@ pub struct Manner {
     pub gaze: f64,
     /// Share of accented syllables with a look at the listener (section 4.3.5: 0.7).
     pub accent_glances: f64,
-    /// The same of pauses between intonational phrases (section 4.3.5: 0.7).
+    /// Share of pauses between intonational phrases with a look at the listener (section 4.3.5:
+    /// 0.7).
     pub pause_glances: f64,
     /// Minimum length of a thinking pause inside a sentence, seconds. Designed; F&H describe it as
     /// speaker-dependent.
@@ -50,7 +52,7 @@ pub struct Manner {
     pub lick_secs: f64,
     /// Influence of loudness on the head's raises, 0 to 1 (section 4.2.1). Designed.
     pub head_by_loudness: f64,
-    /// The same for the brows.
+    /// Influence of loudness on the brow raises, 0 to 1 (section 4.2.1). Designed.
     pub brows_by_loudness: f64,
 }
 
@@ -78,7 +80,7 @@ impl Default for Manner {
 }
 
 impl Manner {
-    /// The same within its ranges; NaN becomes the least.
+    /// Returns the manner with every value clamped to its range; NaN becomes the minimum.
     #[must_use]
     pub(super) fn in_range(mut self) -> Self {
         // Comparisons with NaN are false, so NaN becomes the minimum.

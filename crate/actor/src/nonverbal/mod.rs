@@ -51,10 +51,11 @@ const THOUGHT_TILT_RAD: f64 = 0.035;
 const MEDIAL: f64 = 0.85;
 /// Tongue and ring of the mouth while the lips are moistened. Designed.
 const LICK: [f64; 2] = [0.6, 0.2];
-/// Before and after a turn the gaze is still planned with it, seconds.
+/// Time before and after a speaker's turn in which the gaze is planned with it, seconds.
 const AROUND_TURN_SECS: [f64; 2] = [0.6, 1.5];
 
-/// Deviation of the gaze from a straight look at the listener.
+/// Deviation of the gaze from a straight look at the listener, for eyes and head: yaw (left) and
+/// pitch (down), radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GazeAversion {
     /// The eyes in all: yaw (left) and pitch (down), radians.
@@ -63,7 +64,8 @@ pub struct GazeAversion {
     pub head: [f64; 2],
 }
 
-/// The non-verbal signals of one figure over a story.
+/// Non-verbal signals of one figure over a story: head and brow raises, gaze, blinks, thinking, lip
+/// moistening and loudness.
 #[derive(Clone, Debug)]
 pub struct NonVerbal {
     raises: Raises,
@@ -148,9 +150,9 @@ impl NonVerbal {
         self.blinks.closure(possible(time_secs))
     }
 
-    /// The head's rotation with the pitch and in thought at a time: pitch (positive down,
-    /// never beyond [`HEAD_RAISE_RAD`]), yaw (positive to the left) and roll (positive to
-    /// the left), radians. `liveliness` scales it, 1 as planned.
+    /// Returns the head rotation from pitch and thought at a time: pitch (positive down, never
+    /// beyond [`HEAD_RAISE_RAD`]), yaw and roll (positive to the left), radians. `liveliness`
+    /// scales it; 1 as planned.
     #[must_use]
     pub fn head(&self, time_secs: f64, liveliness: f64) -> [f64; 3] {
         let time_secs = possible(time_secs);
@@ -160,7 +162,7 @@ impl NonVerbal {
         [-raise, 0.5 * tilt, tilt - THOUGHT_TILT_RAD * thought]
     }
 
-    /// Returns the gaze at a time.
+    /// Returns the deviation of the gaze from the listener at a time.
     #[must_use]
     pub fn gaze(&self, time_secs: f64) -> GazeAversion {
         let time_secs = possible(time_secs);
@@ -182,7 +184,7 @@ impl NonVerbal {
     }
 }
 
-/// A time that can be, or 0.
+/// Returns a time if it is finite and in range; otherwise 0.
 fn possible(time_secs: f64) -> f64 {
     if time_secs.abs() < MAX_TIME_SECS {
         time_secs

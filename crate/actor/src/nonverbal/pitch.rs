@@ -142,7 +142,7 @@ mod tests {
     use raconteur_speech::bundle::code_of_hz;
     use std::sync::Arc;
 
-    /// An utterance of this pitch from 10 s on.
+    /// Creates a test utterance with this pitch contour that starts at 10 s.
     fn sung(f0: Vec<u8>) -> TimedUtterance {
         TimedUtterance {
             start_secs: 10.0,

@@ -18,8 +18,8 @@ const TILT_RAD: f64 = 0.04;
 const SIDE_SECS: f64 = 3.0;
 /// Contraction of the frontalis on the left at the highest pitch. Designed.
 const LEFT_BROW: f64 = 0.6;
-/// The same on the right at every raise: only the left brow follows the pitch (Cavé et al.
-/// 1996 in F&H section 4.2.1).
+/// Contraction of the right frontalis at every raise: only the left brow follows the pitch (Cavé et
+/// al. 1996 in F&H section 4.2.1).
 const RIGHT_BROW: f64 = 0.4;
 /// Height of a raise that marks a question. Designed.
 const QUESTION: f64 = 0.85;
@@ -30,19 +30,20 @@ const MAX_SECS: f64 = 0.8;
 /// Time in which head and brows are lowered when speech ends, seconds. Designed.
 const DOWN_SECS: f64 = 0.35;
 
-/// Raises of head and brows over the story, before scaling by the amounts of the time.
+/// Raises of head and brows with the pitch over the story, before scaling by the amounts in force
+/// at the time.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Raises {
     /// Raise of the head, radians.
     pub(super) head: Track,
-    /// Its tilt to the left, radians.
+    /// Tilt of the head to the left, radians.
     pub(super) tilt: Track,
     /// Contraction of the left and right frontalis.
     pub(super) brows: [Track; 2],
 }
 
 impl Raises {
-    /// From the melody of speech.
+    /// Plans raises of head and brows from the pitch contour of speech.
     pub(super) fn new(
         heard: &SpeechFeatures,
         loudness: &Track,

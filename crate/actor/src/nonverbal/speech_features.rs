@@ -19,7 +19,7 @@ const FILLERS: [&str; 9] = ["uh", "uhm", "erm", "hm", "mhm", "äh", "ähm", "öh
 /// Words that count as fillers only when lengthened, because they are ordinary words as well.
 const DRAWN_FILLERS: [&str; 5] = ["er", "um", "eh", "ah", "m"];
 
-/// Boundary at which a pause occurs.
+/// Kind of boundary at which a pause occurs: between words, phrases, sentences or turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum BoundaryKind {
     /// Words of one phrase.
@@ -32,7 +32,7 @@ pub(super) enum BoundaryKind {
     Turns,
 }
 
-/// A silence, or a filler that stands for one.
+/// Silence in speech, or a filler word in its place, with the boundary at which it occurs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pause {
     pub(super) start_secs: f64,
@@ -41,14 +41,14 @@ pub(super) struct Pause {
     pub(super) is_filled: bool,
 }
 
-/// An accented syllable.
+/// Interval of an accented syllable, story time, seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct AccentedSyllable {
     pub(super) start_secs: f64,
     pub(super) end_secs: f64,
 }
 
-/// A question with the pause behind it.
+/// Question in speech with the pause after it; the speaker looks at the listener.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Question {
     pub(super) start_secs: f64,
@@ -57,7 +57,8 @@ pub(super) struct Question {
     pub(super) end_secs: f64,
 }
 
-/// Features of all speech.
+/// Speech features used to plan expressions, story time: phone boundaries, pauses, accents, pitch
+/// extrema, questions and turns.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SpeechFeatures {
     /// Phone boundaries, ascending.
@@ -77,12 +78,12 @@ struct LastPhone {
     end_secs: f64,
     /// Boundary that ends with it.
     parts: BoundaryKind,
-    /// Its question, if it ends one, by index.
+    /// Index of the question that the phone ends; `None` if it ends none.
     question: Option<usize>,
 }
 
 impl SpeechFeatures {
-    /// From utterances by time, times of which are finite.
+    /// Extracts the features from utterances sorted by time, with finite times.
     pub(super) fn new(utterances: &[&TimedUtterance], manner: &Manner, seed: u64) -> Self {
         let mut heard = Self::default();
         let mut last: Option<LastPhone> = None;
@@ -171,7 +172,7 @@ impl SpeechFeatures {
         }
     }
 
-    /// A sound after the last one: there may be a pause between.
+    /// Adds a phone after the last one, and a pause if there is silence between them.
     fn sound(&mut self, start_secs: f64, end_secs: f64, word_secs: f64, last: Option<&LastPhone>) {
         let turn = self.turns.last_mut();
         if let Some((last, turn)) = last.zip(turn) {
@@ -241,7 +242,8 @@ impl SpeechFeatures {
         (time_secs < last.end_secs).then_some(last)
     }
 
-    /// The phone boundary nearest to a time, if one is from a time to another.
+    /// Returns the phone boundary nearest to a time within the interval `from` to `to`; `None` if
+    /// there is none.
     pub(super) fn boundary_within(&self, at_secs: f64, from: f64, to: f64) -> Option<f64> {
         let next = self.boundaries.partition_point(|b| *b < at_secs);
         let distance = |b: &f64| (b - at_secs).abs();
@@ -259,7 +261,7 @@ impl SpeechFeatures {
             .copied()
     }
 
-    /// The same of any phone boundary; the time itself without one near.
+    /// Returns the phone boundary nearest to a time; the time itself if none is within 0.2 s.
     pub(super) fn snapped(&self, at_secs: f64) -> f64 {
         const NEAR_SECS: f64 = 0.2;
         let (from, to) = (at_secs - NEAR_SECS, at_secs + NEAR_SECS);
@@ -345,7 +347,8 @@ mod tests {
     use raconteur_speech::{Phone, Word};
     use std::sync::Arc;
 
-    /// An utterance of words of one phone, and of silence where a length is negative.
+    /// Creates a test utterance of one-phone words with their lengths, seconds; a negative length
+    /// is silence.
     fn say(words: &[(&str, f64)]) -> Utterance {
         let mut u = Utterance::default();
         let mut now = 0.0;

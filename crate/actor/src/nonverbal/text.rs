@@ -10,7 +10,7 @@ use super::accent::Accent;
 use super::extreme::Extreme;
 use crate::idle::stream;
 
-/// From an accent to the lowest pitch behind it, seconds at most. Designed.
+/// Maximum time from an accent to the lowest pitch after it, seconds. Designed.
 const FALL_SECS: f64 = 0.45;
 /// Accents nearer to each other than this have no lowest pitch between, seconds. Designed.
 const NEAR_SECS: f64 = 0.45;

@@ -17,7 +17,7 @@ const LICK_SECS: f64 = 0.5;
 /// Factor by which a thinking speaker moves more slowly. Designed; F&H state only the slowing.
 const SLOWER: f64 = 1.8;
 
-/// A pause in which the speaker thinks or searches for a word.
+/// Pause in which the speaker thinks or searches for a word, with the direction of the eyes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ThinkingPause {
     pub(super) start_secs: f64,
@@ -26,7 +26,7 @@ pub(super) struct ThinkingPause {
     pub(super) place: [f64; 2],
 }
 
-/// The thoughts of a story, by time.
+/// Returns the thinking pauses of a story, sorted by time.
 pub(super) fn thoughts(heard: &SpeechFeatures, manner: &Manner, seed: u64) -> Vec<ThinkingPause> {
     let mut thoughts = Vec::new();
     for (i, pause) in heard.pauses.iter().enumerate() {

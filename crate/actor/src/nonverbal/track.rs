@@ -9,15 +9,15 @@ struct Key {
     value: f64,
 }
 
-/// Keys by time. Between two keys the value follows a cubic with zero slope at either, so it is
-/// continuous; before the first and after the last it is constant.
+/// Keyed quantity over time that all expression plans result in. Between keys the value follows a
+/// cubic with zero slope at both; outside them it is constant.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Track {
     keys: Vec<Key>,
 }
 
 impl Track {
-    /// The value at a time; 0 of a track without keys. O(log n).
+    /// Returns the value at a time, seconds; 0 for a track without keys. O(log n).
     pub(super) fn sample(&self, time_secs: f64) -> f64 {
         let next = self.keys.partition_point(|k| k.at_secs <= time_secs);
         let before = next.checked_sub(1).map(|i| self.keys[i]);
@@ -32,7 +32,7 @@ impl Track {
         }
     }
 
-    /// The value at the last key.
+    /// Returns the value at the last key; 0 without keys.
     pub(super) fn last(&self) -> f64 {
         self.keys.last().map_or(0.0, |k| k.value)
     }

@@ -26,10 +26,11 @@ use crate::members::{Members, items};
 const MAX_BYTES: usize = 1 << 20;
 /// The longest animation, seconds.
 const MAX_SECS: f64 = 3600.0;
-/// Most keys of a track.
+/// Maximum number of keys of a track.
 const MAX_KEYS: usize = 1 << 14;
 
-/// An animation of control parameters.
+/// Animation of control parameters of the face: keyed values per parameter; a story plays it by
+/// name.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParameterClip {
     seconds: f64,
@@ -54,7 +55,7 @@ struct Keys {
 }
 
 impl ParameterClip {
-    /// Reads an animation.
+    /// Parses an animation of control parameters from JSON.
     ///
     /// # Errors
     /// A sentence that says what is wrong, and with which parameter.
@@ -88,7 +89,7 @@ impl ParameterClip {
         Ok(clip)
     }
 
-    /// Length of one pass, seconds.
+    /// Returns the duration of one pass of the animation, seconds.
     #[must_use]
     pub fn duration_secs(&self) -> f64 {
         self.seconds
@@ -109,7 +110,8 @@ impl ParameterClip {
 }
 
 impl Keys {
-    /// `times` are those of the whole.
+    /// Parses the keys of one parameter. `times` are the key times of the animation, used if the
+    /// track has none; `end_secs` is its duration.
     fn read(track: &Value, times: &Value, end_secs: f64) -> Result<Self, String> {
         let numbers = |list: &Value| -> Vec<f64> {
             let read: Option<Vec<f64>> = items(list).iter().map(Value::as_f64).collect();

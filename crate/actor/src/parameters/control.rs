@@ -27,32 +27,33 @@ const DIRECT: [(&str, bool); 18] = [
     ("GazeY", true),
 ];
 
-/// Number of controls.
+/// Number of face controls: all muscles and the direct parameters.
 pub const DIALS: usize = MUSCLES + DIRECT.len();
 
-/// A face control, by its index: the muscles in their order, then the direct ones.
+/// Face control that can be set individually: a muscle, or a direct parameter of a part that no
+/// muscle moves. Holds its index; muscles come first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FaceControl(u8);
 
 impl FaceControl {
-    /// Opening of the jaw.
+    /// Opening of the jaw, 0 to 1.
     pub const JAW: Self = Self::direct(0);
     /// The upper lid: closed (positive) or wide open (negative).
     pub const UPPER_LID_LEFT: Self = Self::direct(4);
-    /// The lower lid raised.
+    /// Raising of the left lower lid.
     pub const LOWER_LID_LEFT: Self = Self::direct(6);
-    /// The jaw forwards (positive) or back.
+    /// Protrusion (positive) or retraction of the jaw.
     pub const JAW_FORWARD: Self = Self::direct(2);
     /// The upper lip pushed forwards (positive) or drawn back and rolled in.
     pub const LIP_PROTRUSION_UPPER: Self = Self::direct(8);
-    /// The same of the lower lip.
+    /// Protrusion of the lower lip (positive), or drawing back and rolling in.
     pub const LIP_PROTRUSION_LOWER: Self = Self::direct(9);
 
     const fn direct(place: usize) -> Self {
         Self((MUSCLES + place) as u8)
     }
 
-    /// That of a muscle.
+    /// Returns the face control of a muscle.
     #[must_use]
     pub const fn from_muscle(muscle: Muscle) -> Self {
         Self(muscle.index() as u8)
@@ -64,13 +65,13 @@ impl FaceControl {
         (index < DIALS).then_some(Self(index as u8))
     }
 
-    /// Returns its index among all controls.
+    /// Returns the index of the control: muscles first, then direct parameters.
     #[must_use]
     pub fn index(self) -> usize {
         usize::from(self.0)
     }
 
-    /// Its name in stories.
+    /// Returns the name of the control in stories, for example `Jaw`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self.index().checked_sub(MUSCLES) {

@@ -13,7 +13,7 @@ pub const SET_SECS: f64 = 0.15;
 /// The shortest time in which a phase changes the value, seconds: one frame of film.
 pub const STEP_SECS: f64 = 0.04;
 
-/// Change of a parameter from a time on.
+/// Change of a control parameter that applies from a time on.
 #[derive(Clone, Debug)]
 pub(super) enum ParameterChange {
     /// Eases to a value in [`SET_SECS`] and holds it.
@@ -29,8 +29,8 @@ pub(super) enum ParameterChange {
     },
 }
 
-/// A parameter over story time; 0 before its first command. A later command takes over from the
-/// present value.
+/// Value of one control parameter over story time; 0 before its first command. A later command
+/// starts from the present value.
 #[derive(Clone, Debug, Default)]
 pub struct Curve {
     /// Start times of the courses, ascending.
@@ -80,7 +80,7 @@ impl Curve {
         }
     }
 
-    /// The value at a time. O(log n), no allocation.
+    /// Returns the parameter's value at a story time, seconds. O(log n), no allocation.
     #[must_use]
     pub fn sample(&self, time_secs: f64) -> f64 {
         let Some(i) = raconteur_base::curve::last_at_or_before(&self.starts, time_secs) else {
@@ -105,7 +105,7 @@ impl Curve {
         value.clamp(self.least, 1.0)
     }
 
-    /// The times at which its changes begin, rising, seconds.
+    /// Returns the start times of the parameter's changes, ascending, seconds.
     pub(crate) fn starts(&self) -> &[f64] {
         &self.starts
     }

@@ -43,11 +43,12 @@ const PARTS: [&str; 9] = [
     "Posterior",
 ];
 
-/// A control parameter: a face control, a viseme, or an emotion.
+/// Control parameter of a story (GEVH 3.2.4): a face control, a viseme, or an emotion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Parameter(u8);
 
-/// Target of a parameter.
+/// Quantity that a control parameter sets: a face control, the phone of a viseme, or an emotion
+/// word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ParameterTarget {
     /// A muscle, or a direct parameter of the face.
@@ -93,7 +94,7 @@ impl Parameter {
         }
     }
 
-    /// All of them: those of the face, visemes, emotions.
+    /// Returns all control parameters: face controls, then visemes, then emotions.
     pub fn all() -> impl Iterator<Item = Self> {
         (0..Self::COUNT as u8).map(Self)
     }
@@ -103,7 +104,7 @@ impl Parameter {
         usize::from(self.0)
     }
 
-    /// Its name.
+    /// Returns the name of the parameter in stories.
     #[must_use]
     pub fn name(self) -> &'static str {
         let index = self.index();
@@ -117,7 +118,7 @@ impl Parameter {
         }
     }
 
-    /// Returns its target.
+    /// Returns the face control, viseme or emotion that the parameter sets.
     #[must_use]
     pub fn target(self) -> ParameterTarget {
         let index = self.index();
@@ -134,7 +135,7 @@ impl Parameter {
         }
     }
 
-    /// Returns its minimum value; the maximum is 1.
+    /// Returns the minimum value, −1 or 0; the maximum is 1.
     #[must_use]
     pub fn min_value(self) -> f64 {
         let dial = FaceControl::from_index(self.index());

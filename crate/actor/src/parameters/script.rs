@@ -2,13 +2,13 @@
 
 use super::name::Parameter;
 
-/// In which direction an animation plays.
+/// Direction in which an animation of control parameters plays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PlaybackStyle {
-    /// From its begin to its end.
+    /// Plays from beginning to end.
     #[default]
     Forward,
-    /// From its end to its begin.
+    /// Plays from end to beginning.
     Reverse,
     /// Forward, then back.
     PingPong,
@@ -32,8 +32,8 @@ impl PlaybackStyle {
     }
 }
 
-/// Four phases (GEVH D.3.28): linear from the parameter's present value to that of the attack, to
-/// that of the decay, then the sustain value held, and to that of the release, which remains.
+/// Envelope of a parameter in four linear phases (GEVH D.3.28): to the attack value, to the decay
+/// value, the sustain value held, and to the release value, which remains.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Adsr {
     /// Duration of each phase, seconds: attack, decay, sustain, release.
@@ -64,7 +64,8 @@ impl Adsr {
     }
 }
 
-/// One command.
+/// Command of a script to the control parameters: set a value, follow an envelope, or play an
+/// animation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ParameterCommand {
     /// Sets a parameter to a value.
@@ -73,20 +74,20 @@ pub enum ParameterCommand {
     Lead(Parameter, Adsr),
     /// An animation plays.
     Play {
-        /// Its name in the library.
+        /// Name of the animation in the library.
         animation: String,
-        /// In which direction.
+        /// Direction of playback.
         style: PlaybackStyle,
         /// Factor for its values.
         gain: f64,
     },
 }
 
-/// All commands with their times, story seconds, in any order; of simultaneous commands the last
-/// counts.
+/// All commands of a script to control parameters with their story times, seconds, in any order; of
+/// simultaneous commands the last one counts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParameterScript {
-    /// The command.
+    /// Commands with their story times, seconds.
     pub commands: Vec<(f64, ParameterCommand)>,
 }
 

@@ -13,8 +13,8 @@ use super::name::{Parameter, ParameterTarget};
 use super::script::{ParameterCommand, ParameterScript};
 use crate::lips::MouthTargets;
 
-/// The parameters that a performance moves, made ready. Evaluation is a function of time:
-/// O(log n) for each parameter that is used, and without allocation.
+/// Control parameters of a performance, prepared; gives their values at any story time. Evaluation
+/// takes O(log n) per parameter in use and allocates nothing.
 #[derive(Clone, Debug, Default)]
 pub struct ParameterTrack {
     dials: Vec<(FaceControl, Curve)>,
@@ -124,7 +124,7 @@ impl ParameterTrack {
         (sum > 0.0).then_some(mouth)
     }
 
-    /// The words of emotions that are set by name, with their courses.
+    /// Returns the emotions set by name: word and strength over time.
     #[must_use]
     pub fn emotions(&self) -> &[(&'static str, Curve)] {
         &self.emotions

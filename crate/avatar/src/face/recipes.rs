@@ -2,7 +2,7 @@
 
 use raconteur_body::figure::{JAW_OPEN_RAD, MOUTH_CLOSE_RAD};
 
-/// Region of the vertices that a channel may move.
+/// Region of the face whose vertices a morph target may move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Region {
     Everywhere,
@@ -54,7 +54,7 @@ const OTHERS: [(&str, &[&str]); 15] = [
     ("sad", &["sad", "sorrow"]),
 ];
 
-/// A sum of sources.
+/// Weighted sum of named morph targets or expressions.
 pub(super) type Sum = &'static [(&'static str, f64)];
 
 /// An opening of the mouth reaches the actor's widest vowel (0.245 rad of jaw) with the whole
@@ -168,7 +168,8 @@ fn letters(name: &str) -> String {
         .collect()
 }
 
-/// The source that a target's or an expression's name means.
+/// Returns the canonical name of the morph target or expression that a name in a file means; `None`
+/// if unknown.
 pub(super) fn recognise(name: &str) -> Option<&'static str> {
     let name: String = name.chars().take(120).collect();
     let spelled = match name.char_indices().next_back() {

@@ -6,7 +6,7 @@ use raconteur_body::read::{ReadError, document};
 use super::{Reader, wide};
 use crate::face::{Region, WeightedTarget};
 
-/// A morph of one geometry.
+/// Morph of one imported geometry: changed vertices with their offsets.
 pub(crate) struct Shape {
     pub(crate) name: &'static str,
     pub(crate) vertices: Vec<u32>,

@@ -7,11 +7,11 @@ use super::word::Word;
 /// Context in which an abbreviation applies, and its ability to end a sentence with its full stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum AbbreviationUse {
-    /// Before a name: "Dr. Smith".
+    /// Applies before a name: "Dr. Smith".
     Title,
-    /// Before a number: "No. 5".
+    /// Applies before a number: "No. 5".
     BeforeNumber,
-    /// After a number: "3 Mio.".
+    /// Applies after a number: "3 Mio.".
     AfterNumber,
     /// Within a sentence: "z. B.".
     Inner,
@@ -216,13 +216,13 @@ const PORTUGUESE: &[Row] = &[
     ("séc", "século", Inner, false),
 ];
 
-/// Spoken form of an abbreviation.
+/// Spoken form of an abbreviation, as words or letters to speak.
 pub struct Expansion {
     /// Spoken text of each written word that it covers.
     pub spoken: Vec<String>,
     /// True if the spoken text consists of letters, pronounced by their names.
     pub is_spelled: bool,
-    /// Its last full stop ends a sentence as well.
+    /// True if the abbreviation's last full stop also ends a sentence.
     pub ends: bool,
 }
 
@@ -234,7 +234,8 @@ fn rows(language: Language) -> &'static [Row] {
     }
 }
 
-/// The row of `text` as it is, or without the capital of a sentence's start.
+/// Returns the table row of an abbreviation as written, or with its initial in lower case; `None`
+/// if unknown.
 fn row(text: &str, language: Language) -> Option<&'static Row> {
     let rows = rows(language);
     rows.iter().find(|row| row.0 == text).or_else(|| {
@@ -328,7 +329,8 @@ pub fn expand(words: &[Word<'_>], at: usize, language: Language) -> Option<Expan
     })
 }
 
-/// An abbreviation in two words at `at`: "z. B.", "p. ex.".
+/// Returns the expansion of a two-word abbreviation at `at` ("z. B.", "p. ex."); `None` if there is
+/// none.
 #[must_use]
 pub fn pair(words: &[Word<'_>], at: usize, language: Language) -> Option<Expansion> {
     let (first, second) = (words.get(at)?, words.get(at + 1)?);
@@ -346,7 +348,8 @@ pub fn pair(words: &[Word<'_>], at: usize, language: Language) -> Option<Expansi
     })
 }
 
-/// English "St." and "Dr." after a name are Street and Drive: "Main St.", but "Main St. John".
+/// Expands English "St." and "Dr." after a name to Street and Drive ("Main St.", but not "Main St.
+/// John"); otherwise `None`.
 fn street(
     word: &Word<'_>,
     previous: Option<&Word<'_>>,
@@ -373,7 +376,8 @@ fn street(
     })
 }
 
-/// "J." before a name, and letters with full stops: "U.S.A.".
+/// Expands an initial before a name ("J.") and letters with full stops ("U.S.A."); otherwise
+/// `None`.
 fn initials(
     word: &Word<'_>,
     single: bool,

@@ -4,7 +4,8 @@ use super::capitals_lists::{LETTERS, NAMES, UNCLEAR, WORDS};
 use super::language::Language;
 use super::word::Word;
 
-/// Context that the surrounding words give for a word in capitals.
+/// Context that surrounding words give to a word in capitals; decides whether it is an acronym,
+/// shouted, or part of a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CapitalContext {
     /// None: the neighbouring words are in lower case.
@@ -159,7 +160,7 @@ fn before(words: &[Word<'_>], at: usize) -> Option<usize> {
     (word.end.is_empty() && !word.closes && !this.opens && !word.core.is_empty()).then_some(before)
 }
 
-/// The word after it, likewise.
+/// Returns the word after the one at `at`, if no punctuation separates the two.
 fn after(words: &[Word<'_>], at: usize) -> Option<usize> {
     let next = words.get(at + 1)?;
     let this = words.get(at)?;
@@ -206,7 +207,7 @@ fn is_named(word: &str, previous: &str, next: &str, language: Language) -> bool 
 mod tests {
     use super::*;
 
-    /// A text with its acronyms spaced out.
+    /// Returns a text with its acronyms spelled out, for tests.
     fn read(text: &str, language: Language) -> String {
         let words: Vec<Word<'_>> = text.split(' ').map(Word::parse).collect();
         let said = |at: usize| {

@@ -1,7 +1,7 @@
 //! Languages with rules for numbers, dates and signs.
 
-/// A language whose numbers, dates and signs are read here. The order is that of the
-/// columns in every table of words.
+/// Language whose numbers, dates and signs can be read aloud. Variants are in the order of the
+/// columns in all word tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Language {
     /// English.
@@ -13,7 +13,8 @@ pub enum Language {
 }
 
 impl Language {
-    /// Decided by the primary subtag of a BCP 47 tag (RFC 5646).
+    /// Returns the language of a BCP 47 tag by its primary subtag (RFC 5646); `None` if it is not
+    /// supported.
     #[must_use]
     pub fn from_tag(tag: &str) -> Option<Self> {
         let primary = tag.split(['-', '_']).next().unwrap_or_default();
@@ -25,13 +26,14 @@ impl Language {
         }
     }
 
-    /// This language's column of a table row `[English, German, Portuguese]`.
+    /// Returns the column of this language from a table row `[English, German, Portuguese]`.
     #[must_use]
     pub fn pick<T: Copy>(self, row: [T; 3]) -> T {
         row[self as usize]
     }
 
-    /// The word for a decimal sign.
+    /// Returns the word spoken for the decimal sign in a number: "comma" for `,`, otherwise
+    /// "point", in this language.
     #[must_use]
     pub fn decimal_word(self, sign: char) -> &'static str {
         match sign {
@@ -40,7 +42,7 @@ impl Language {
         }
     }
 
-    /// The decimal sign of the language; the other one of `,` and `.` groups thousands.
+    /// Returns the decimal sign of the language, `.` or `,`; the other one groups thousands.
     #[must_use]
     pub fn decimal_sign(self) -> char {
         self.pick(['.', ',', ','])

@@ -2,7 +2,7 @@
 
 use super::language::Language;
 
-/// Month names [English, German, Portuguese].
+/// Names of the months, January to December, as `[English, German, Portuguese]`.
 pub const MONTHS: [[&str; 3]; 12] = [
     ["January", "Januar", "janeiro"],
     ["February", "Februar", "fevereiro"],

@@ -115,7 +115,7 @@ const DIGITS: [(&str, u64); 13] = [
     ("I", 1),
 ];
 
-/// The value of a numeral in its one correct spelling, below 4000.
+/// Returns the value of a Roman numeral below 4000; `None` unless it is in its standard spelling.
 #[must_use]
 pub fn value(text: &str) -> Option<u64> {
     if text.is_empty() || text.len() > 15 {

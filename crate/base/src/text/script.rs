@@ -1,6 +1,6 @@
 //! Scripts and their languages: a voice reads the scripts of its own language.
 
-/// A script, as distinguished by the reading ability of voices (ISO 15924).
+/// Script of writing (ISO 15924); decides which texts a voice can read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Script {
     /// Latin.
@@ -84,7 +84,7 @@ impl Script {
         (count > 1 || matches!(script, Latin | Han | Kana | Hangul)).then_some(script)
     }
 
-    /// For people.
+    /// Returns the English name of the script, for messages.
     #[must_use]
     pub fn name(self) -> &'static str {
         SCRIPTS[self as usize].1

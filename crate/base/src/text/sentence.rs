@@ -7,7 +7,7 @@ use super::roman;
 use super::starters::is_starter;
 use super::word::Word;
 
-/// After these a German number with a full stop is an ordinal.
+/// German words after which a number with a full stop is an ordinal.
 const ARTICLES: &str = "der die das den dem des am vom zum zur im beim ein eine einen einem einer \
                         jeder jede jedes jeden jedem ihr ihre ihren sein seine seinen seinem mein \
                         meine meinen meinem bis ins und oder";
@@ -50,7 +50,7 @@ pub fn ends_after(words: &[Word<'_>], at: usize, language: Option<Language>) -> 
     language != Language::German || german_stop_ends(words, at)
 }
 
-/// The first letter or digit of a word.
+/// Returns the first letter or digit of a word; `None` if it has none.
 fn first_letter(word: &Word<'_>) -> Option<char> {
     word.raw.chars().find(|c| c.is_alphanumeric())
 }
@@ -85,7 +85,8 @@ fn german_stop_ends(words: &[Word<'_>], at: usize) -> bool {
     !(is_date || led || dated || ruler || first)
 }
 
-/// Sentence-end state of the last word in an incomplete text.
+/// State of the last word of an incomplete text: ends a sentence, does not, or depends on the next
+/// word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PendingEnd {
     /// A sentence ends here, unless a lower-case letter follows.

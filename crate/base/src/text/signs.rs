@@ -51,7 +51,8 @@ pub fn attach(word: &mut String, sign: &str) {
     word.push_str(sign);
 }
 
-/// Words for display, each with the signs that belong to it.
+/// Builder of words for display, for example in captions; attaches free-standing signs to
+/// neighbouring words.
 #[derive(Debug, Default)]
 pub struct DisplayedWords {
     words: Vec<String>,
@@ -62,7 +63,7 @@ pub struct DisplayedWords {
 }
 
 impl DisplayedWords {
-    /// A word follows.
+    /// Adds a word.
     pub fn word(&mut self, text: &str) {
         let kept = self.settle(Some(text));
         let mut shown = kept.join(" ");
@@ -74,7 +75,7 @@ impl DisplayedWords {
         self.is_parted = false;
     }
 
-    /// Signs on their own follow.
+    /// Adds signs that stand on their own.
     pub fn sign(&mut self, text: &str) {
         self.signs.push(text.to_owned());
     }
@@ -84,7 +85,7 @@ impl DisplayedWords {
         self.signs.truncate(self.signs.len().saturating_sub(signs));
     }
 
-    /// A pause, a recording or the end of a division follows.
+    /// Marks a pause, a recording or the end of a division, which signs do not cross.
     pub fn separate(&mut self) {
         if !self.words.is_empty() && !self.is_parted {
             self.settle(None);
@@ -92,7 +93,7 @@ impl DisplayedWords {
         }
     }
 
-    /// All words.
+    /// Returns all words, with their signs attached.
     #[must_use]
     pub fn finish(mut self) -> Vec<String> {
         self.is_parted = false;

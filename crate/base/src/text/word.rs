@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// A written word, split into its readable part and the surrounding signs.
+/// Written word, split into its readable part and the punctuation around it.
 #[derive(Debug, Clone)]
 pub struct Word<'a> {
     /// Everything, with letters and their marks composed.
@@ -30,7 +30,7 @@ const COMPOSED: &[(char, &str, &str)] = &[
     ('\u{327}', "csCS", "çşÇŞ"),
 ];
 
-/// `text` with letters and combining marks composed where Latin has a letter for it.
+/// Composes letters and combining marks of `text` where Latin has a precomposed letter.
 #[must_use]
 pub fn composed(text: &str) -> Cow<'_, str> {
     if !text.chars().any(|c| ('\u{300}'..='\u{327}').contains(&c)) {
@@ -53,7 +53,7 @@ pub fn composed(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
-/// A composed letter's base and mark.
+/// Splits a precomposed letter into its base and combining mark; `None` for any other letter.
 #[must_use]
 pub fn decomposed(letter: char) -> Option<(char, char)> {
     COMPOSED.iter().find_map(|(mark, bases, letters)| {
@@ -121,7 +121,7 @@ fn is_dash(c: char) -> bool {
 }
 
 impl<'a> Word<'a> {
-    /// Parts a written word.
+    /// Splits a written word into its readable part and punctuation.
     #[must_use]
     pub fn parse(written: &'a str) -> Self {
         let raw = composed(written.trim());
@@ -198,7 +198,7 @@ impl<'a> Word<'a> {
         self.core.chars().all(|c| is_letter(c) || is_joiner(c))
     }
 
-    /// Returns true if it begins with a capital.
+    /// Returns true if the word begins with a capital.
     #[must_use]
     pub fn is_capital(&self) -> bool {
         self.core.chars().next().is_some_and(char::is_uppercase)

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use crate::gltf::read::ReadError;
 use crate::gltf::read::document;
 
-/// A named point of the surface.
+/// Named point on the surface of a figure, for example a corner of the mouth.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Landmark {
     /// Craniofacial name, for example `n` (nasion) or `ex_l` (left exocanthion).
@@ -20,7 +20,7 @@ pub struct Landmark {
     pub vertex: u32,
 }
 
-/// A named part of the face.
+/// Named part of the face, as runs of vertices of one mesh.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Segment {
     /// Name, for example `alar wings`.
@@ -33,23 +33,23 @@ pub struct Segment {
     pub runs: Vec<[u32; 2]>,
 }
 
-/// Annotations of a figure's meshes.
+/// Landmarks and segments of a figure's meshes, stored in the scene's extras.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Annotations {
-    /// Named points.
+    /// Named points on the surface.
     pub landmarks: Vec<Landmark>,
     /// The tree of segments, parents before their children.
     pub segments: Vec<Segment>,
 }
 
 impl Annotations {
-    /// A landmark by name.
+    /// Returns a landmark by name; `None` if there is none.
     #[must_use]
     pub fn landmark(&self, name: &str) -> Option<&Landmark> {
         self.landmarks.iter().find(|l| l.name == name)
     }
 
-    /// The entries for a scene's extras.
+    /// Returns the JSON entries for a scene's extras.
     #[must_use]
     pub fn to_json(&self) -> Map<String, Value> {
         let landmarks: Map<String, Value> = self
@@ -91,7 +91,7 @@ fn whole(value: &Value, what: &'static str) -> Result<u64, ReadError> {
     value.as_u64().ok_or(ReadError::Type { what })
 }
 
-/// The mesh's index where it exists.
+/// Parses the index of a mesh; an error if there is no such mesh.
 fn mesh_of(value: &Value, counts: &[u64], what: &'static str) -> Result<usize, ReadError> {
     let mesh = usize::try_from(whole(value, what)?).unwrap_or(usize::MAX);
     if mesh < counts.len() {

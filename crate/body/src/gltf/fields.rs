@@ -15,7 +15,7 @@ pub(super) fn index(value: &Value, key: &str) -> Option<usize> {
     as_index(&value[key])
 }
 
-/// An index that must be there; one that is not points nowhere.
+/// Returns a required index; `usize::MAX` if it is absent or invalid.
 pub(super) fn needed_index(value: &Value, key: &str) -> usize {
     index(value, key).unwrap_or(usize::MAX)
 }

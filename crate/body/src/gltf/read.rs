@@ -22,7 +22,7 @@ use accessor::Source;
 use document::Document;
 use mesh::{read_primitive, read_skin};
 
-/// Error returned when a file cannot be read as a figure.
+/// Error returned when a glTF file cannot be read as a figure.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
@@ -86,12 +86,12 @@ pub enum ReadError {
     /// The tissue under the skin of the face cannot be read.
     #[error("the tissue of the face cannot be read: {0}")]
     Tissue(#[from] TissueError),
-    /// There is no mesh with a skin.
+    /// The file has no mesh with a skin.
     #[error("the file has no skinned mesh")]
     NoMesh,
 }
 
-/// Reads a figure; `name` becomes its name.
+/// Reads a figure from glTF binary; `name` becomes its name.
 ///
 /// # Errors
 /// A [`ReadError`] that names the first fault found.
@@ -157,7 +157,7 @@ fn morph_names(root: &Document<'_>) -> Vec<String> {
     names
 }
 
-/// World from node for every node.
+/// Returns the transform from node to world for every node of a document.
 pub fn solve_nodes(root: &Document<'_>) -> Result<Vec<DAffine3>, ReadError> {
     let count = root.nodes.len();
     let mut parents: Vec<Option<usize>> = vec![None; count];
@@ -253,7 +253,7 @@ fn skeleton(root: &Document<'_>, world: &[DAffine3]) -> Result<Skeleton, ReadErr
     Ok(Skeleton::from_bind(&positions, &rotations, face, stature))
 }
 
-/// Joint from world in the bind pose, from the nodes' placement.
+/// Returns the transform from world to joint in the bind pose, from the transforms of the nodes.
 fn bind_of(root: &Document<'_>, world: &[DAffine3], skeleton: &Skeleton) -> Vec<DAffine3> {
     let mut bind: Vec<DAffine3> = Vec::with_capacity(skeleton.joints().len());
     for joint in skeleton.joints() {

@@ -1,4 +1,4 @@
-//! `body-player-change-priority`: who moves a bone.
+//! `body-player-change-priority`: the order of players that move the same bone.
 
 use super::{Attribute, Element};
 use crate::ClauseKind;

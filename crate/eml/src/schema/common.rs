@@ -1,4 +1,4 @@
-//! Attributes that several elements have.
+//! Attributes shared by several elements.
 
 use super::Attribute;
 use crate::Manipulator;

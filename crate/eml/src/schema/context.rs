@@ -1,5 +1,4 @@
-//! Walks the tree by the table: which elements may stand where, which attributes
-//! they have.
+//! Traversal of the tree by the table: allowed elements and their attributes.
 
 mod fields;
 mod tally;
@@ -173,7 +172,7 @@ impl<'t> Context<'t> {
         found: Option<&'static Element>,
         parent: &'static Element,
     ) -> Option<&'static Element> {
-        // A name of the table has no prefix, so that only bindings could change its owner.
+        // A name of the table has no prefix, so only bindings can change its owner.
         if found.is_some() && self.namespaces.is_empty() {
             return found;
         }
@@ -243,7 +242,7 @@ impl<'t> Context<'t> {
         step(1);
         let tree = self.tree;
         let timed = element.timed();
-        // The time comes first, and is the first of what all clauses have.
+        // The time comes first; it is the first of the attributes of all clauses.
         let first = if timed.is_empty() {
             0
         } else {
@@ -327,7 +326,7 @@ impl<'t> Context<'t> {
         let span = attribute.name_span();
         let (owner, local) = self.namespaces.owner(written, node, false);
         let extension = match owner {
-            // An element owns its unprefixed attributes, whatever namespace it is of.
+            // An element owns its unprefixed attributes, regardless of its namespace.
             Owner::Language => false,
             Owner::Extensions => true,
             Owner::Foreign => return None,

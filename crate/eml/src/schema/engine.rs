@@ -1,4 +1,4 @@
-//! `engine`: says something else on one speech engine.
+//! `engine`: speaks another text on one speech engine.
 
 use super::{Attribute, Element};
 use crate::Markup;

@@ -1,4 +1,5 @@
-//! `environment`, `piece`: how camera, light and music express emotions, and where the story is told.
+//! `environment`, `piece`: the expression of emotions by camera, light and music, and the set of
+//! the story.
 
 use super::{Attribute, Content, Element, Kind};
 use crate::{Arousal, Fidelity, StageSet, Valence};

@@ -1,4 +1,4 @@
-//! `event`: tells listeners that something happened.
+//! `event`: notifies listeners of an event.
 
 use super::{Attribute, Content, Context, Element, Fields};
 use crate::ClauseKind;

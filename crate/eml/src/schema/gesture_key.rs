@@ -1,4 +1,4 @@
-//! `gesture-key`: hand shapes, palm orientations and positions over a while.
+//! `gesture-key`: hand shapes, palm orientations and positions over an interval.
 
 use super::gesture_track;
 use super::{Attribute, Content, Context, Element, Fields};

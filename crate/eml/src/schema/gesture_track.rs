@@ -1,4 +1,4 @@
-//! What hand-shapes, palms and motion have in common: a hand and timed keys.
+//! Common parts of hand-shapes, palms and motion: a hand and timed keys.
 
 use super::values::KeyTime;
 use super::{Attribute, Context, Element, Fields, Kind};
@@ -70,7 +70,7 @@ pub(super) fn read<'t, K: Default>(
     let profile = profile(cx, fields);
     let nodes = cx.tree.nodes[node].subtree_end as usize - node - 1;
     let mut keys: Vec<Key<K>> = Vec::with_capacity(nodes.min(USUAL_KEYS));
-    // Keys that are dropped still take a place among those without a time.
+    // Rejected keys still occupy a position among those without a time.
     let mut dropped: Vec<usize> = Vec::new();
     cx.children(node, element, |cx, child, key| {
         let fields = cx.fields(child, key);
@@ -175,7 +175,7 @@ pub(super) fn add<K>(
 ) {
     let Some(track) = track else { return };
     let covers = |track: &Track<K>, side: Side| {
-        // Which hand is the dominant one is not known yet; a track may not name it alone.
+        // The dominant hand is not known yet, so a track may not specify it alone.
         let takes_part = if handedness.is_relative() {
             track.hand.is_none()
         } else {

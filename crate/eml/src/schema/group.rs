@@ -1,4 +1,4 @@
-//! What seq and par have in common: repetition and the clauses inside.
+//! Common parts of seq and par: repetition and the contained clauses.
 
 use super::{Attribute, Context, Fields};
 use crate::Group;

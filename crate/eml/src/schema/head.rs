@@ -38,7 +38,7 @@ pub(crate) fn read(cx: &mut Context<'_>, node: usize, element: &'static Element)
                 cx.document.environment = Some(environment);
             }
         }
-        // The head and what only groups in it; the table bounds the depth.
+        // The head and its grouping elements; the table bounds the depth.
         _ => cx.children(node, element, read),
     }
 }

@@ -1,4 +1,4 @@
-//! Finds elements by name in constant time, however many there are.
+//! Lookup of elements by name in constant time.
 
 use super::{ELEMENTS, Element};
 
@@ -18,7 +18,7 @@ const fn build() -> [u8; SLOTS] {
     let mut i = 0;
     while i < ELEMENTS.len() {
         let name = ELEMENTS[i].name.as_bytes();
-        // The table is sorted, so entries of one name lie together.
+        // The table is sorted, so entries of one name are adjacent.
         if i == 0 || !same_bytes(name, ELEMENTS[i - 1].name.as_bytes()) {
             let mut slot = hash(name);
             while table[slot] != EMPTY {

@@ -1,4 +1,4 @@
-//! `marker`: tells listeners of a moment in speech.
+//! `marker`: notifies listeners of a time in speech.
 
 use super::{Attribute, Context, Element, Fields, Role, VOICE_PARENTS, VoiceBuilder};
 use crate::TextSegment;

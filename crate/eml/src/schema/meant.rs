@@ -1,4 +1,4 @@
-//! What a writer may have meant by a name that no element has.
+//! Likely meanings of an unknown element name.
 
 use super::{Element, find, find_extension};
 use crate::namespaces;
@@ -33,7 +33,7 @@ pub(super) fn element_meant(local: &str, extended: bool, parent: &Element) -> Op
     }
     let prefix = namespaces::EXTENSIONS_PREFIX;
     let bind = bound();
-    // Such as the thesis's `expression-emotion`, which is ours to give a meaning.
+    // For example the thesis's `expression-emotion`, which this language defines.
     let is_word = |e: &&&Element| {
         local
             .split('-')

@@ -1,5 +1,5 @@
-//! The language as a table: one small file an element, registered in [`ELEMENTS`],
-//! which drives parsing, checks, writing and documentation.
+//! The language as a table: one small file per element, registered in [`ELEMENTS`], which drives
+//! parsing, checks, writing and documentation.
 
 /// Returns a text for readers of the language reference. No page shows it, and it would add 12 KB
 /// to a player's download (gzip), so wasm builds omit it.

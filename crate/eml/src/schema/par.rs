@@ -1,4 +1,4 @@
-//! `par`: clauses together.
+//! `par`: parallel clauses.
 
 use super::group::REPETITION;
 use super::{CLAUSE_PARENTS, Content, Element, Role};

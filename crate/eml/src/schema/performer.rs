@@ -1,4 +1,4 @@
-//! `performer`: who performs, in what voice, language and manner.
+//! `performer`: the performer and its voice, language and manner.
 
 use super::{Attribute, Element, Kind};
 use crate::{Expressions, PreferredHand};

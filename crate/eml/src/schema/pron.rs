@@ -1,4 +1,4 @@
-//! `pron`: says how text is pronounced.
+//! `pron`: specifies the pronunciation of a text.
 
 use super::{Attribute, Element};
 use crate::Markup;

@@ -1,4 +1,4 @@
-//! `rate`: changes the pace of speech.
+//! `rate`: changes the speech rate.
 
 use super::common::FOURFOLD;
 use super::{Attribute, Element};
@@ -16,7 +16,7 @@ pub(super) static ELEMENT: Element = Element {
     attributes: &[Attribute::level(
         "speed",
         &["fastest", "fast", "medium", "slow", "slowest"],
-        // Voices speak 100 to 250 words a minute.
+        // Voices speak 100 to 250 words per minute.
         [25.0, 1000.0],
         Some(FOURFOLD),
         "A word, a signed percentage, or words per minute.",

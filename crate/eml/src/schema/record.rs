@@ -1,4 +1,4 @@
-//! Reads the elements that are nothing but their attributes and children.
+//! Reader of the elements that consist only of their attributes and children.
 
 use super::{Content, Context, Element, Fields, Presence};
 use crate::Span;

@@ -1,4 +1,4 @@
-//! `sayas`: says what a text is, and so how it is read out.
+//! `sayas`: specifies the kind of a text, and thereby its reading.
 
 use super::{Attribute, Element};
 use crate::{Markup, SayAsMode, SayAsType};

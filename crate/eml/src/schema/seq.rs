@@ -1,4 +1,4 @@
-//! `seq`: clauses one after another.
+//! `seq`: sequential clauses.
 
 use super::group::REPETITION;
 use super::{CLAUSE_PARENTS, Content, Element, Role};

@@ -1,4 +1,4 @@
-//! What the elements' tests share.
+//! Helpers shared by the elements' tests.
 
 use crate::{ClauseKind, Markup, Parsed, TextSegment, parse};
 

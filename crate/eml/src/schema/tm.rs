@@ -1,4 +1,4 @@
-//! `tm`: names a moment of a word.
+//! `tm`: names a time in a word.
 
 use super::{Attribute, Context, Element, Fields, Kind, Role, VOICE_PARENTS, VoiceBuilder};
 use crate::{Diagnostic, MarkEvent, TextSegment};

@@ -1,4 +1,4 @@
-//! `tracks`: the tracks that a clause is for.
+//! `tracks`: the tracks that a clause affects.
 
 use super::{Content, Element};
 

@@ -1,5 +1,4 @@
-//! Reads the values of attributes by the table. A value that does not fit is
-//! reported and counts as left out.
+//! Reader of attribute values by the table. An invalid value is reported and counts as absent.
 
 mod kinds;
 
@@ -159,7 +158,7 @@ impl Context<'_> {
             });
         };
         let text = markup::resolve(written, self.sink);
-        // Inside a value with references offsets shift; the whole value is shown then.
+        // References in a value shift its offsets, so the span covers the whole value.
         let verbatim = matches!(text, Cow::Borrowed(_));
         match time_expr::parse(&text, written.value_start) {
             Ok(mut expr) => {

@@ -20,7 +20,7 @@ pub(super) static ELEMENT: Element = Element {
 
 fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
     let inside = node + 1..cx.tree.nodes[node].subtree_end as usize;
-    // What has something in it opens and closes.
+    // An element with content has a start and an end.
     let is_around = |&i: &usize| cx.tree.nodes[i].subtree_end as usize > i + 1;
     let most = inside.len() + inside.filter(is_around).count();
     let mut voice = VoiceBuilder {

@@ -1,4 +1,4 @@
-//! `part`, `if`, `pool`, `set` and `goto`: ways through a story.
+//! `part`, `if`, `pool`, `set` and `goto`: branches of a story.
 
 use super::{Attribute, CLAUSE_PARENTS, Content, Element, Role};
 use crate::ClauseKind;

@@ -1,6 +1,5 @@
-//! Reads the attributes of a start tag. `quick-xml` finds the tag; its attribute
-//! iterator gives no positions and stops at the first slip, and a live editor
-//! needs both.
+//! Reader of the attributes of a start tag. `quick-xml` finds the tag; its attribute iterator gives
+//! no positions and stops at the first fault, and a live editor needs both.
 
 use crate::diagnostic::Sink;
 use crate::markup::Attribute;
@@ -34,8 +33,8 @@ pub(super) fn scan<'a>(
     let first = out.len();
     let mut i = 0;
     let mut over_limit = false;
-    // The first letters of the names so far: names that begin alike are rare, so most need no
-    // comparison.
+    // The first letters of the previous names: names with the same first letter are rare, so most
+    // need no comparison.
     let mut initials = 0_u32;
     loop {
         i = skip_space(bytes, i);

@@ -1,6 +1,5 @@
-//! Builds the tree from `quick-xml`'s events with a stack of its own, so that deep
-//! nesting costs a diagnostic instead of the call stack, and starts the reader
-//! again behind markup that it cannot read.
+//! Builder of the tree from `quick-xml`'s events. It has its own stack, so that deep nesting causes
+//! a diagnostic instead of a stack overflow, and it restarts the reader after unreadable markup.
 
 mod elements;
 
@@ -255,7 +254,7 @@ impl<'a> Builder<'a, '_, '_> {
                     .find(|c: char| c.is_ascii_whitespace())
                     .unwrap_or(raw.len());
                 let name = &raw[..name_len];
-                // An open quote swallows the `>`; its place says more than the tag's.
+                // An open quote includes the `>`; its position is more precise than the tag's.
                 let mut slips = Sink::new(self.limits.attributes);
                 let after_name = &raw[name_len..];
                 let start = at + 1 + name_len;

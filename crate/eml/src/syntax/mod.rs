@@ -1,4 +1,4 @@
-//! Text to the tree of its markup, with whatever is malformed mended or marked.
+//! Conversion of text to its markup tree; malformed parts are corrected or marked.
 
 mod attributes;
 mod builder;

@@ -1,4 +1,4 @@
-//! Whatever the markup is, the tree tells what stands where.
+//! Structure of the tree for any markup.
 
 use super::builder::build;
 use crate::Limits;

@@ -1,4 +1,4 @@
-//! Plays out repetitions and puts everything in order.
+//! Expansion of repetitions and chronological order of all clauses.
 
 use super::index::EndIndex;
 use super::solve::Times;
@@ -21,7 +21,7 @@ pub(super) fn bounded_counts(
     let mut counts = vec![0_u32; document.clauses.len()];
     // The entries that each group makes when it plays; any other clause makes one.
     let mut entries = vec![1_u64; groups.len()];
-    // Children come after their group, so backwards they are ready when it comes.
+    // Children come after their group, so in reverse order they are ready before it.
     for (place, id) in groups.iter().enumerate().rev() {
         let Some(group) = document.clause(*id).kind.group() else {
             continue;
@@ -153,7 +153,7 @@ impl List<'_> {
             return;
         };
         if group.children.is_empty() {
-            // Nothing would bound the iterations of nothing.
+            // Nothing would bound the iterations of an empty group.
             return;
         }
         let length = (end - start) / f64::from(count);

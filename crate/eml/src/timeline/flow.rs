@@ -1,7 +1,7 @@
-//! The ways through a story: what no way comes to, and ways that go round for ever.
+//! Branches of a story: unreachable parts and endless loops.
 //!
-//! The timeline is cut where ways leave it, at gotos, and where they come in, at parts. Between
-//! two cuts a story goes straight on.
+//! The timeline is cut at gotos, where branches leave it, and at parts, where they enter it.
+//! Between two cuts, the story continues linearly.
 
 use super::Timeline;
 use crate::diagnostic::Sink;
@@ -84,11 +84,11 @@ pub(super) fn check(document: &Document, timeline: &Timeline, sink: &mut Sink) {
 fn stretches(document: &Document, timeline: &Timeline) -> Vec<Interval> {
     let mut all = vec![Interval::default()];
     let mut parts: BTreeMap<&str, usize> = BTreeMap::new();
-    // Whether what is in a clause may be passed over. Containers stand before what they hold.
+    // Whether the content of a clause can be skipped. Containers precede their content.
     let mut optional = vec![false; timeline.clauses.len()];
     for (at, timed) in timeline.clauses.iter().enumerate() {
         let within = timed.container.is_some_and(|c| optional[c as usize]);
-        // Of a pool that is not drawn whole nobody knows what is asked.
+        // If a pool is not drawn completely, its selected questions are unknown.
         let is_drawn = timed.container.is_some_and(|c| {
             let around = document.clause(timeline.clauses[c as usize].clause);
             matches!(around.kind, ClauseKind::Pool(_))
@@ -254,7 +254,7 @@ mod tests {
             ["eml::endless-ring"]
         );
         assert_eq!(codes(&part("one", ASK)), [""; 0]);
-        // A question that is asked again and again.
+        // A question that is repeated endlessly.
         let asked = ASK.replace("<r:goto time='0' to='one'/>", "<null time='1'/>");
         assert_eq!(
             codes(&part("one", &format!("{asked}{}", goto("one")))),

@@ -1,4 +1,4 @@
-//! Finds what has not ended among what has started.
+//! Index of started clauses that have not ended.
 
 use std::ops::Range;
 
@@ -96,7 +96,7 @@ impl<T, E: Fn(&T) -> f64> Iterator for After<'_, T, E> {
             }
             let first = (node - self.index.leaves) * BLOCK;
             if first >= self.items.len() {
-                // Leaves come in order, so all that still wait come later.
+                // Leaves come in order, so all pending ones come later.
                 self.depth = 0;
                 return None;
             }

@@ -1,4 +1,4 @@
-//! The timeline: every clause at absolute seconds.
+//! Timeline: every clause at absolute seconds.
 
 mod expand;
 mod flow;

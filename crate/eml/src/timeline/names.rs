@@ -1,4 +1,4 @@
-//! The named moments of a document: `timeId` and `tm`.
+//! Named times of a document: `timeId` and `tm`.
 
 use crate::diagnostic::Sink;
 use crate::suggest::quoted;
@@ -91,7 +91,7 @@ impl Names {
             if !(timing.duration_secs >= 0.0 && timing.duration_secs.is_finite()) {
                 timing.duration_secs = 0.0;
             }
-            // Other clauses speak as well, but only a voice-text has markers.
+            // Other clauses speak too, but only a voice-text has markers.
             text.each_mark(&mut |mark| {
                 let moment = NamedTime {
                     clause: id,
@@ -106,7 +106,7 @@ impl Names {
             .zip(&moments)
             .map(|(place, (name, _))| (prefix(name), place))
             .collect();
-        // Of equal names the first in the document comes first.
+        // Among equal names, the first in the document comes first.
         order.sort_unstable_by(|a, b| {
             step(1);
             match a.0.cmp(&b.0) {

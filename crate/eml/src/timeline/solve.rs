@@ -1,8 +1,8 @@
-//! Solves the equations between the starts and ends of clauses.
+//! Solver of the equations between the starts and ends of clauses.
 //!
-//! Every clause has two unknowns, its start and its end. They are found depth first
-//! with a stack of its own, so that a chain of a hundred thousand names is no problem,
-//! and meeting an unknown that is being worked on is a cycle.
+//! Every clause has two unknowns, its start and its end. The solver finds them depth first with its
+//! own stack, so that a chain of a hundred thousand names is no problem; an unknown that is already
+//! being solved indicates a cycle.
 
 use std::ops::{Index, IndexMut};
 
@@ -184,7 +184,7 @@ impl Solver<'_, '_> {
         let mut looks = MAX_LOOKS;
         for &id in absolute {
             let clause = self.document.clause(id);
-            // Each name takes bytes of a source of fewer than 2³².
+            // Each name occupies bytes of a source of fewer than 2³².
             self.first_term[id.index()] = self.terms.len() as u32;
             for (place, term) in clause.start.names.iter().enumerate() {
                 match names.find(&term.name) {
@@ -232,7 +232,7 @@ impl Solver<'_, '_> {
     fn is_ready(&self, unknown: Unknown) -> bool {
         let known = |needed| self.state[needed] == State::Done;
         if let Unknown::End(id) = unknown {
-            // The end of a clause that starts and holds no others needs nothing more.
+            // The end of a started clause without children needs nothing more.
             let start = Unknown::Start(id);
             if known(start) && self.counts[id.index()] == 0 && !self.values[start].is_nan() {
                 step(1);
@@ -342,7 +342,7 @@ impl Solver<'_, '_> {
             secs += self.values[base];
         }
         if secs.is_nan() {
-            // A clause in a group without a time goes with the group, unmentioned.
+            // A clause in a group without a time is removed with the group, without a report.
             if clause.start.is_absolute() {
                 let message = format!(
                     "this `{}` is left out because its time depends on an undefined time: {}",
@@ -370,7 +370,7 @@ impl Solver<'_, '_> {
     fn end_value(&self, id: ClauseId, clause: &Clause) -> f64 {
         let start = self.values[Unknown::Start(id)];
         if start.is_nan() {
-            // In a seq, what follows goes on as if this clause were not there.
+            // In a seq, the following clauses continue as if this clause were absent.
             let base = self.base(id, clause).filter(|_| self.in_seq(clause));
             return base.map_or(f64::NAN, |base| self.values[base]);
         }
@@ -383,7 +383,7 @@ impl Solver<'_, '_> {
                 });
                 one * f64::from(self.counts[id.index()])
             }
-            // What follows something asynchronous does not wait for it.
+            // The next clause does not wait for an asynchronous one.
             ClauseKind::VoiceSay(say) if !say.is_waited_for() => 0.0,
             ClauseKind::VoiceText(_) | ClauseKind::VoiceSay(_) => {
                 self.voices.get(&id).map_or(0.0, |v| v.duration_secs)
@@ -458,7 +458,7 @@ impl Solver<'_, '_> {
                 break;
             }
             at = if self.refused[id.index()] {
-                // A cycle, which is reported by itself.
+                // A cycle has its own report.
                 None
             } else if clause.start.is_absolute() {
                 let mut named = clause.start.names.iter().zip(self.terms_of(id));

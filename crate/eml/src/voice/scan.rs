@@ -1,4 +1,4 @@
-//! Goes through a spoken text: words, signs on their own, emoticons, markers and gaps.
+//! Scanner of a spoken text: words, isolated signs, emoticons, markers and gaps.
 
 use super::{MODERATE_EMPHASIS, Mark, TextSegment, VoiceText};
 use crate::Span;
@@ -212,7 +212,7 @@ impl<'v> Token<'v> {
     }
 
     fn hand_on(&mut self, words: &mut usize, visit: &mut Visit<'v, '_>) -> ControlFlow<()> {
-        // No emoticon holds more than one letter.
+        // No emoticon contains more than one letter.
         if self.letters > 1 {
             self.spaced.separate();
         } else {
@@ -224,7 +224,7 @@ impl<'v> Token<'v> {
                     .map(|(parts, name)| (parts, name, "")),
             };
             if let Some((parts, name, rest)) = sign {
-                // Nothing before it belongs to what follows.
+                // Earlier text does not belong to the next item.
                 return visit(Item::Emoticon { name, parts, rest });
             }
             self.spaced = spaced;

@@ -1,4 +1,4 @@
-//! The comments of a text.
+//! Comments of a text.
 
 use quick_xml::Reader;
 use quick_xml::events::Event;

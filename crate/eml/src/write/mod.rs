@@ -1,8 +1,8 @@
-//! Documents as EML text.
+//! Writer of documents as EML text.
 //!
-//! There is one text for each document: two spaces a level, attributes in the order of the
-//! table, defaults left out, numbers as short as they can be, all times given. Reading it
-//! gives the document again, but for its places in a text (see [`normal_form`]).
+//! Each document has one text: two spaces per level, attributes in the order of the table, defaults
+//! omitted, numbers as short as possible, all times specified. Reading it gives the document again,
+//! except for its positions in a text (see [`normal_form`]).
 
 mod comments;
 mod normal;

@@ -1,4 +1,4 @@
-//! What of a document does not depend on how it was written.
+//! Properties of a document that do not depend on its spelling.
 
 use crate::{ClauseKind, Document, Span, TextSegment, Track};
 

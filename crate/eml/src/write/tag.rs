@@ -1,4 +1,4 @@
-//! Tags on their way to the text.
+//! Writer of tags.
 
 use crate::namespaces::EXTENSIONS_PREFIX;
 use crate::record::{Field, List, Record, Value, Visit};
@@ -222,6 +222,6 @@ pub(super) fn number(number: f64) -> String {
 
 /// Escapes text between tags or apostrophes. Every XML reader preserves line ends in it.
 pub(super) fn escaped(text: &str) -> String {
-    // Values stand between apostrophes, so that quotes need no reference, which `escape` would make of them.
+    // Values are in apostrophes, so that quotes need no reference; `escape` would replace them.
     partial_escape(text).replace('\'', "&apos;")
 }

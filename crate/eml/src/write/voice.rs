@@ -16,7 +16,7 @@ pub(super) fn content(text: &VoiceText) -> (String, bool) {
     for piece in &text.pieces {
         let (mut tag, opens) = match piece {
             TextSegment::Text { text, .. } => {
-                // In text a quote is a character like others.
+                // In text, a quote is an ordinary character.
                 out.push_str(&partial_escape(text.as_str()));
                 continue;
             }

@@ -1,4 +1,4 @@
-//! What must hold whatever the input: shared by the tests and the fuzz targets.
+//! Invariants of any input, shared by the tests and the fuzz targets.
 #![allow(dead_code, reason = "each program that includes this uses some of it")]
 
 use raconteur_eml::{

@@ -1,4 +1,4 @@
-//! The script that benches and tests of cost read.
+//! Script for benchmarks and cost tests.
 
 use std::fmt::Write as _;
 

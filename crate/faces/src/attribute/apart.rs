@@ -1,8 +1,8 @@
-//! Changes that tell attributes apart. In a population much goes with much else: who has broad wings of
-//! the nose has a broad nose, and the change of equation 3.4 brings both. Who moves one slider wants
-//! one thing; so the change that counts is the likeliest that adds one of its attribute and little of
-//! the others. It is equation 3.7 with the others held softly, as equation 3.6
-//! holds them hard.
+//! Changes that separate attributes. In a population, attributes correlate: a person with broad
+//! wings of the nose has a broad nose, and the change of equation 3.4 brings both. A user who moves
+//! one slider wants one change; the selected change is therefore the likeliest one that adds one of
+//! its attribute and little of the others. It is equation 3.7 with the others constrained softly,
+//! as equation 3.6 constrains them hard.
 
 use super::Attribute;
 use crate::space::FaceSpace;
@@ -32,7 +32,8 @@ pub(crate) fn set_apart(space: &FaceSpace, mut attributes: Vec<&mut Attribute>) 
         all.into_iter().map(|x| x / size).collect()
     };
     let directions: Vec<Vec<f64>> = attributes.iter().map(direction).collect();
-    // Its own attribute stands among those held; that alters the length of the solution alone.
+    // Its own attribute is among the constrained ones; that changes only the length of the
+    // solution.
     let product = |x: &[f64]| {
         let mut sum = x.to_vec();
         for held in &directions {

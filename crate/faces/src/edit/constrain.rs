@@ -1,4 +1,5 @@
-//! Values that edited faces are brought back to, for segments too (F&H 3.2.3 and 5.1.7).
+//! Constraints: values that edited faces are brought back to, also for segments (F&H 3.2.3 and
+//! 5.1.7).
 
 use super::{Change, Editor, Face, Part, Region, difference};
 use crate::error::FaceError;

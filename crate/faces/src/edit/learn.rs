@@ -1,5 +1,5 @@
-//! How features change alone: the likeliest change in the segments that adds one, stays in them and leaves
-//! other features as they are.
+//! Separate changes of features: the likeliest change in the segments that adds one, stays in them
+//! and leaves other features unchanged.
 
 use faer::Mat;
 use faer::linalg::solvers::Solve as _;

@@ -1,6 +1,6 @@
-//! Faces drawn at random. Who is half a child and half an old man is nobody: where a model tells who its
-//! faces are, a random face is a person of one age, sex and ancestry, and differs from the mean of such
-//! people as they do from each other.
+//! Random faces. A mixture of a child and an old man does not exist: if a model records the people
+//! of its faces, a random face is a person of one age, sex and ancestry, and differs from the mean
+//! of such people as they differ from each other.
 
 use raconteur_base::noise;
 
@@ -94,7 +94,7 @@ impl Editor {
         let mut alike: Vec<usize> = (0..people.len()).collect();
         alike.sort_by(|&a, &b| unlike(&people[a], own).total_cmp(&unlike(&people[b], own)));
         alike.truncate(ALIKE);
-        // Squares that sum to one keep the variance of such people.
+        // Squares that sum to one preserve the variance of such people.
         let mut weights = vec![0.0; ALIKE];
         let mut drawn: Vec<f64> = (1..=MIXED as i64)
             .map(|k| 0.2 + noise::unit(seed, 2 * turn + 1, k))
@@ -103,7 +103,7 @@ impl Editor {
         drawn.iter_mut().for_each(|w| *w /= length);
         for (k, weight) in (1..).zip(drawn) {
             let start = pick(turn, k, ALIKE);
-            // Another one where that was drawn already.
+            // A face that was already drawn is replaced.
             let free = (0..ALIKE)
                 .map(|i| (start + i) % ALIKE)
                 .find(|&i| weights[i] == 0.0);

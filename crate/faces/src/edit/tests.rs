@@ -185,7 +185,8 @@ fn a_segment_changes_and_the_far_rest_does_not() {
     editor.import(&mut face, &other, Part::Shape, &region);
     let rows =
         |rows: core::ops::Range<usize>| rows.flat_map(|r| (0..SIDE).map(move |c| r * SIDE + c));
-    // In the middle it is the other's; 10 rows beyond the border, which blends, nothing.
+    // In the middle, the segment is the other's; 10 rows beyond the blended border, it is
+    // unchanged.
     assert!(
         farthest(&face.shape, &other.shape, rows(30..32)) < 2e-4,
         "the edited segment is near the other face"
@@ -199,7 +200,7 @@ fn a_segment_changes_and_the_far_rest_does_not() {
         "the second distant part is unchanged"
     );
     assert_eq!(face.texture, before.texture);
-    // The eyes are beside it: their centres hardly go along, the chin less.
+    // The eyes are next to it: their centres hardly move with it, the chin less.
     let go = |i: usize| (face.organs[i] - before.organs[i]) / (other.organs[i] - before.organs[i]);
     assert!(go(0) < 0.6 && go(8).abs() < 0.2, "{} {}", go(0), go(8));
 }

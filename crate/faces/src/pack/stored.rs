@@ -1,4 +1,4 @@
-//! What is in the files of a pack after their names.
+//! File content of a pack after its header.
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -258,7 +258,8 @@ fn orthonormalize(rows: &mut [Vec<f64>]) {
 impl StoredSpace {
     fn from_space(space: &FaceSpace, finest: f64) -> Self {
         let modes = (0..space.dimensions()).map(|i| space.mode(i));
-        // A step of 1 leaves nothing of a mode whose length is 1; deviations next to nothing lead beyond.
+        // A step of 1 removes everything of a mode of length 1; deviations near zero would exceed
+        // it.
         let finest = space.deviations().iter().map(|d| (finest / d).min(1.0));
         let (steps, modes) = stepped(modes.zip(finest));
         Self {
@@ -329,7 +330,7 @@ impl StoredAttribute {
             None => None,
             Some(feature) => Some(feature.read(space)?),
         };
-        // What is measured is so on the modes as they are stored.
+        // Features are measured on the modes as stored.
         let attribute = match &feature {
             Some(f) if !f.gradient.is_empty() => {
                 Attribute::measured(&self.name, space, &f.gradient)

@@ -1,4 +1,4 @@
-//! Packs.
+//! Tests of packs.
 
 use proptest::prelude::*;
 

@@ -1,5 +1,6 @@
-//! Tables of ratings: four columns between tabs, `rater`, `face` (index of an example), `attribute`
-//! and `value` (from −3 to 3). Lines that begin with `#` do not count, nor do those without a value.
+//! Rating tables: four columns separated by tabs, `rater`, `face` (index of an example),
+//! `attribute` and `value` (from −3 to 3). Lines that begin with `#` and lines without a value are
+//! ignored.
 
 use std::collections::BTreeMap;
 
@@ -123,7 +124,7 @@ impl Ratings {
     pub fn parse(text: &str) -> Result<Self, RatingError> {
         let mut ratings = Self::default();
         let mut has_header = false;
-        // Spreadsheets put a mark of the encoding first.
+        // Spreadsheets write an encoding mark first.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         for (line, content) in (1..).zip(text.lines()) {
             if line > Self::MAX_LINES {

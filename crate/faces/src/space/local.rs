@@ -1,4 +1,4 @@
-//! Local modes: small form that principal components, which are taken by variance, leave out.
+//! Local modes: small shapes that principal components, which are selected by variance, omit.
 
 use super::FaceSpace;
 use crate::error::FaceError;
@@ -63,7 +63,7 @@ impl FaceSpace {
         let count = signal.len().max(1) as f64;
         let mean = signal.iter().sum::<f64>() / count;
         let square = signal.iter().map(|s| (s - mean) * (s - mean)).sum::<f64>() / count;
-        // Signals count alike, whatever their units.
+        // Signals have equal weight, regardless of their units.
         let unit = square.sqrt().max(f64::MIN_POSITIVE);
         let mut sum = vec![0.0; self.length()];
         for (example, (face, s)) in faces.iter().zip(signal).enumerate() {
@@ -189,7 +189,7 @@ mod tests {
                 );
             }
         }
-        // A signal that says nothing new adds nothing.
+        // A redundant signal adds nothing.
         let again = more.with_local(&faces, &[small]).expect("corresponding");
         assert_eq!(again.dimensions(), 5);
         assert!(

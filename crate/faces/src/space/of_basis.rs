@@ -17,7 +17,7 @@ proptest! {
     #[test]
     fn faces_of_a_basis_lie_in_its_space(count in 1..9_u64, vertices in 1..20_i64, seed: u64) {
         let mut basis = examples(count, 3 * vertices, seed);
-        // One that the others tell already.
+        // A vector that depends on the others.
         basis.push(basis[0].iter().map(|x| 0.5 * x).collect());
         let mean = examples(1, 3 * vertices, !seed).remove(0);
         let space = FaceSpace::of_basis(mean.clone(), &basis).expect("corresponding");

@@ -1,4 +1,4 @@
-//! The shipped faces.
+//! Shipped faces.
 
 use raconteur_faces::{Editor, FaceModel};
 

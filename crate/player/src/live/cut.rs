@@ -1,4 +1,4 @@
-//! What is left of a fragment that is interrupted: what it has begun ends, the rest never comes.
+//! Interruption of a fragment: started clauses end, the rest is never performed.
 
 use std::sync::Arc;
 
@@ -84,7 +84,7 @@ impl LivePerformance {
             if at_secs <= told_secs && !fragment.fresh {
                 self.due.extend(ends);
             }
-            // The arms come down.
+            // The arms are lowered.
             fragment.end_secs = fragment.end_secs.min(at_secs + SETTLE_SECS);
             fragment.cut_secs = fragment.cut_secs.min(at_secs);
         }
@@ -200,7 +200,7 @@ fn retain_whole(u: &mut Utterance) {
     u.text_starts.truncate(words);
     let whole =
         |s: &raconteur_speech::bundle::Syllable| s.first_phone.saturating_add(s.phones) <= phones;
-    // Accents name syllables by their place.
+    // Accents refer to syllables by their index.
     let syllables = u.syllables.iter().take_while(|s| whole(s)).count();
     u.syllables.truncate(syllables);
     u.accents.retain(|a| a.syllable < syllables);

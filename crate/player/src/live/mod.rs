@@ -1,8 +1,8 @@
-//! Live performance (GEVH 3.6): clauses that come while the story plays.
+//! Live performance (GEVH 3.6): clauses that arrive while the story plays.
 //!
-//! A fragment is parsed, timed and lowered as a script is, and joins the performance. Its
-//! times and cues are the story clock's, so that it can be sought like the story until it is
-//! forgotten. Nothing grows without bound: see [`limits`].
+//! A fragment is parsed, timed and lowered like a script, and joins the performance. Its times and
+//! cues are on the story clock, so that seeking covers it until it is removed. All growth is
+//! bounded: see [`limits`].
 
 pub(crate) mod cut;
 mod times;
@@ -403,7 +403,7 @@ impl LivePerformance {
         let players = &mut self.carried.players;
         players.extend(forgotten.plan.players);
         sort_by_number(players, |(time_secs, _)| *time_secs);
-        // What came before all players went has no effect any more.
+        // Commands before the removal of all players have no effect any more.
         let last = players.iter().rposition(|(_, command)| {
             matches!(
                 command,

@@ -1,9 +1,9 @@
-//! Times of a live fragment: plain numbers count from now, names mean the running story's
-//! clock.
+//! Times of a live fragment: plain numbers count from the current time, names refer to the running
+//! story's clock.
 //!
-//! The timeline resolves one document by itself. What a fragment takes from outside, the
-//! moments of the story and of earlier fragments, is therefore written into its expressions
-//! first, as seconds from the fragment's own start.
+//! The timeline resolves one document alone. External times, those of the story and of earlier
+//! fragments, are therefore written into the fragment's expressions first, as seconds from its own
+//! start.
 
 use raconteur_eml::{ClauseKind, Diagnostic, Document, Name, NameTerm};
 
@@ -31,8 +31,8 @@ pub(super) fn bind(
         if !expr.is_absolute() {
             continue;
         }
-        // The timeline counts a fragment's own names from the fragment's start; what is
-        // between their sum and a moment of the story is a number of bases.
+        // The timeline counts a fragment's own names from the fragment's start; the difference
+        // between their sum and a time of the story is a number of bases.
         let (mut own_names, mut foreign_secs, mut any_foreign) = (0.0, 0.0, false);
         expr.names.retain(|term| {
             let sign = if term.negative { -1.0 } else { 1.0 };
@@ -76,7 +76,7 @@ pub(super) fn bind(
 /// Returns the number of clauses with all repetitions played, up to `most`.
 pub(super) fn played_out(document: &Document, most: u64) -> u64 {
     let mut counts = vec![1_u64; document.clauses.len()];
-    // Children come after their group, so backwards they are ready when it comes.
+    // Children come after their group, so in reverse order they are ready before it.
     for (i, clause) in document.clauses.iter().enumerate().rev() {
         if let Some(group) = clause.kind.group() {
             let inside: u64 = group.children.iter().map(|c| counts[c.index()]).sum();
@@ -130,7 +130,7 @@ mod tests {
             starts("<null time='1' timeId='a'/><null time='a+0.5'/>", 12.0).0,
             [13.0, 13.5]
         );
-        // 2 s after a moment, but not before the story has come to t2: sums mix.
+        // 2 s after a named time, but not before the story has reached t2: sums mix.
         let mixed = "<null time='1' timeId='a'/><null time='a+t2-t1'/>";
         assert_eq!(starts(mixed, 12.0).0, [13.0, 17.0]);
     }

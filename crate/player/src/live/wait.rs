@@ -1,4 +1,4 @@
-//! When a fragment may begin: its hands have to get there, and nobody speaks into another's words.
+//! Start time of a fragment: its hands must arrive in time, and utterances must not overlap.
 
 use raconteur_actor::Actor;
 use raconteur_base::Side;
@@ -44,7 +44,7 @@ pub(super) fn turn<'a>(
     least_secs: f64,
 ) -> f64 {
     let others: Vec<(f64, f64)> = others.filter_map(span).collect();
-    // Between which delays an utterance would be spoken into another.
+    // The delays at which an utterance would overlap another.
     let mut taken: Vec<(f64, f64)> = own
         .iter()
         .filter_map(span)
@@ -52,7 +52,7 @@ pub(super) fn turn<'a>(
         .filter(|(_, until)| *until > least_secs)
         .collect();
     sort_by_number(&mut taken, |(from, _)| *from);
-    // What was passed stays passed: a delay only grows, and so do the beginnings.
+    // Delays and start times only grow, so a passed interval stays passed.
     taken.iter().fold(least_secs, |delay, &(from, until)| {
         if from + TOUCH_SECS < delay && delay < until - TOUCH_SECS {
             until + BREATH_SECS

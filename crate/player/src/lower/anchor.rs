@@ -1,5 +1,5 @@
-//! The clause that stands for a live fragment's own start. Times of the story are counted from it; it
-//! is no clause of the script, so nobody is told of it.
+//! Clause that represents a live fragment's own start. Times of the story are counted from it; it
+//! is not a clause of the script, so it is not reported.
 
 use raconteur_eml::{Clause, ClauseId, ClauseKind, Document, Span, TimeExpr};
 

@@ -1,4 +1,5 @@
-//! From the clauses of animation players to the actor's commands (GEVH 3.2, D.3.5 to D.3.18).
+//! Conversion of the clauses of animation players to the actor's commands (GEVH 3.2, D.3.5 to
+//! D.3.18).
 
 use raconteur_actor::animation::{
     BODY_GROUPS, BoneSet, CommandProblemKind, Operation, Playback, PlayerCommand, PlayerKind,

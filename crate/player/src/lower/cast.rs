@@ -1,4 +1,4 @@
-//! The figure that performs, measured.
+//! Measurements of the performing figure.
 
 use std::sync::Arc;
 

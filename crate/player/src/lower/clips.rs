@@ -1,4 +1,4 @@
-//! The space that animations of the whole body take.
+//! Space required by animations of the whole body.
 
 use raconteur_actor::Library;
 use raconteur_actor::animation::{Operation, PlayerCommand};

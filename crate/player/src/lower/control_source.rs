@@ -1,5 +1,5 @@
-//! Who leads a channel of the environment over time: the script where it says something, else the
-//! strongest emotion (GEVH 3.5.4).
+//! Control of an environment channel over time: the script where it specifies a value, otherwise
+//! the strongest emotion (GEVH 3.5.4).
 
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{Document, Fidelity, Lead};
@@ -80,7 +80,7 @@ pub(crate) fn leaders(
                 due_secs = f64::INFINITY;
                 continue;
             }
-            // Emotions have it again, from whatever the script left.
+            // Emotions take over again, from the last value of the script.
             now = feelings.strongest(t, None);
             (since_secs, due_secs) = (t, f64::INFINITY);
             taken.push((t, ControlSource::Emotion(now)));

@@ -1,4 +1,4 @@
-//! Cues: moments that a page is notified of while a story plays.
+//! Cues: times at which a page is notified while a story plays.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{Clause, ClauseId, ClauseKind, Markup, TextSegment, TimedClause, VoiceText};

@@ -1,4 +1,4 @@
-//! From emotions of the script and of its utterances to spans of the actor.
+//! Conversion of emotions of the script and of its utterances to spans of the actor.
 
 use raconteur_actor::{Affect, EmotionSpan, emotion};
 use raconteur_base::order::sort_by_number;
@@ -47,7 +47,7 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<Express
     sort_by_number(&mut starts, |start| *start);
     let mut spans = Vec::new();
     for one in &elicited {
-        // Several that begin together are blended; a later one takes over.
+        // Emotions that start simultaneously are blended; a later one replaces them.
         let next = starts.partition_point(|start| *start <= one.start_secs);
         let (mut until_secs, mut end_secs) =
             (one.until_secs, one.until_secs + one.emotion.decay_secs);
@@ -156,7 +156,7 @@ fn utterance_emotion(
         evaluation: emotion.evaluation,
         power: emotion.power,
     };
-    // A word that is elsewhere than in the table is a place.
+    // A word at another point than in the table counts as a point.
     let named = Affect::named(&emotion.name).filter(|named| named.place == place);
     Some(EmotionSpan {
         start_secs: timed.story_secs(emotion.start_secs),
@@ -303,7 +303,7 @@ mod tests {
         );
         let said = utterances(&script)[0].timed.utterance.duration_secs;
         assert_eq!(spans[0].1[2], (100.0 * (1.0 + said)).round());
-        // What stands before it in the document is not said in it.
+        // Emoticons before the word in the document are not spoken with it.
         let before = "<voice-text time='1'>one two three four five six seven</voice-text>\
                       <r:emotion time='0' type='joy'/>";
         assert_eq!(lowered_emotions(before)[0].1[2], 60.0);

@@ -1,4 +1,4 @@
-//! From emotions of face and voice to what the environment expresses (GEVH 3.5.4).
+//! Conversion of emotions of face and voice to the expression of the environment (GEVH 3.5.4).
 
 use raconteur_actor::parameters::{ParameterCommand, ParameterScript, ParameterTrack};
 use raconteur_actor::{Affect, EmotionSpan, Library};
@@ -51,7 +51,7 @@ fn kind_of(affect: &Affect) -> Option<&'static EmotionType> {
         let place = emotion::place(word).filter(|place| !place.is_neutral())?;
         Some((EmotionType::named(word)?, along(affect.place, place)))
     });
-    // Of several in one place the first.
+    // Among several at one point, the first is selected.
     let nearest = words.rev().max_by(|(_, a), (_, b)| a.total_cmp(b));
     nearest.map(|(kind, _)| kind)
 }

@@ -1,4 +1,4 @@
-//! From a script's emotions and control parameters to plans of the face.
+//! Conversion of a script's emotions and control parameters to plans of the face.
 
 use raconteur_actor::Manner;
 use raconteur_actor::nonverbal::PlanBasis;

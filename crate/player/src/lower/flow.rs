@@ -1,4 +1,4 @@
-//! Ways through a story, at their times.
+//! Branches of a story at their times.
 
 use raconteur_eml::{ClauseKind, TimedClause};
 

@@ -1,4 +1,4 @@
-//! From gesture-keys of the timeline to strokes of the two arms.
+//! Conversion of the timeline's gesture-keys to strokes of the two arms.
 
 use std::collections::BTreeMap;
 
@@ -259,7 +259,7 @@ pub(crate) fn strokes(
                 Some(Phase::PartialRetraction) => ArmPhase::PartialRetraction,
             };
             let keys = keys(gesture, side, timed.start_secs, units, hands);
-            // A phase may do without keys: a hold, a way back.
+            // A phase may have no keys: a hold or a retraction.
             (gesture.phase.is_some() || !keys.is_empty()).then_some(GestureStroke {
                 phase,
                 start_secs: timed.start_secs,

@@ -1,5 +1,5 @@
-//! How the stage is lit, as a function of time: the light that a script writes and that of the
-//! strongest emotion (GEVH 3.5.4.2), eased from one to the next.
+//! Stage light as a function of time: the light of a script and that of the strongest emotion (GEVH
+//! 3.5.4.2), eased from one to the next.
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::order::sort_by_number;
@@ -35,7 +35,7 @@ pub(crate) fn lamps(script: &Script) -> Vec<LampCue> {
         .filter_map(|timed| match &script.document.clause(timed.clause).kind {
             ClauseKind::Light(light) => Some(LampCue {
                 start_secs: timed.start_secs,
-                // What a story begins with is there when it begins.
+                // Light at the start of a story applies without a transition.
                 transition_secs: if timed.start_secs <= script.timeline.lead_in_secs {
                     light.transition_secs
                 } else {

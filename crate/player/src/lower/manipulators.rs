@@ -1,7 +1,7 @@
-//! From the clauses of manipulators and `vh-move` to commands of the actor.
+//! Conversion of the clauses of manipulators and `vh-move` to commands of the actor.
 //!
-//! Targets are in the figure's own world coordinates: units from the floor under it, which
-//! `vh-move` carries along.
+//! Targets are in the figure's own world coordinates: units from the floor below it, which
+//! `vh-move` moves.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -261,7 +261,7 @@ fn upright(place: &mut Placement) {
         && ops::wrap_angle(*pitch).abs() > FRAC_PI_2
     {
         *pitch = ops::wrap_angle(*pitch + PI);
-        // Turned over, the axis of the roll points the other way.
+        // The reversed axis of the roll points the other way.
         *roll = roll.map(|roll| -roll);
     }
 }
@@ -312,7 +312,7 @@ pub(crate) fn space(script: &ManipulatorScript, hand_length_m: f64) -> Option<Ge
     if is_empty(script) {
         return None;
     }
-    // Hands that are let go hang.
+    // Released hands hang.
     let mut space = TakenSpace {
         top_m: 0.0,
         bottom_m: 0.0,
@@ -471,7 +471,7 @@ fn out_of_reach(limb: Limb, motion: &Motion, span: Span, reach: &Reach) -> Optio
         (reach.hips_in_world[side.index()], reach.leg_m, "leg")
     };
     let beyond = to.position.distance_to(base) - length_m;
-    // A tenth of a millimetre is below what rounding in a script can mean.
+    // A tenth of a millimetre is below the rounding of a script.
     (beyond > 1e-4).then(|| {
         let side = ["left", "right"][side.index()];
         Diagnostic::warning(

@@ -1,5 +1,6 @@
-//! From a document and its times to plans: what each element means for the figure, the camera, the
-//! music and the listeners, as data of the actor and the stage. Nothing here is evaluated at a time.
+//! Conversion of a document and its times to plans: the effect of each element on the figure, the
+//! camera, the music and the listeners, as data of the actor and the stage. Nothing here is
+//! evaluated at a time.
 
 pub(crate) mod anchor;
 pub(crate) mod animations;

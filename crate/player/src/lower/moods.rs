@@ -1,5 +1,5 @@
-//! Which music a mood asks for (GEVH 3.5.4.3): a piece by valence, the voices that arousal adds to it,
-//! and when one takes over from another. Pieces of an author's may be by arousal, too.
+//! Music for a mood (GEVH 3.5.4.3): a piece by valence, the voices added by arousal, and the
+//! transitions between pieces. An author's own pieces may also depend on arousal.
 
 use raconteur_eml::{Arousal, Document, Lead};
 use raconteur_stage::emotion::Valence;

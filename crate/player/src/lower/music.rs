@@ -1,7 +1,7 @@
-//! Music under a performance (GEVH 3.5.4.3): which piece is heard when, and how loud.
+//! Music of a performance (GEVH 3.5.4.3): the pieces, their times and their volume.
 //!
-//! How loud is a line of straight pieces over story time. It holds the volume, the fades and
-//! that music steps back under speech, so a page that plays it needs no rule.
+//! The volume is piecewise linear over story time. It includes the volume attribute, the fades and
+//! the ducking under speech, so a page that plays it needs no rule.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::ClauseKind;
@@ -124,7 +124,7 @@ fn cue(
     sort_by_number(&mut times, |t| *t);
     times.dedup();
     let level = |t: f64| {
-        // They are so far apart that only the last one begun counts.
+        // Utterances are so far apart that only the last started one counts.
         let begun = spoken.partition_point(|s| s.0 - STEP_BACK_SECS <= t);
         let under = begun.checked_sub(1).map_or(0.0, |i| {
             let (from, to) = spoken[i];

@@ -1,4 +1,4 @@
-//! A piece of music as the voices that it is made of, and when it is to be heard.
+//! Music piece as its voices and its play times.
 
 use raconteur_eml::Lead;
 

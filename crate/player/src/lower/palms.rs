@@ -1,4 +1,4 @@
-//! Palms that the arm cannot turn as a script asks where it asks for them.
+//! Palm orientations out of the arm's range at the scripted position.
 
 use raconteur_actor::gesture::ArmPlan;
 use raconteur_actor::{ArmGoal, ArmRig, palm};
@@ -130,7 +130,7 @@ fn worst(missed: &[MissedPalm]) -> Option<Diagnostic> {
         1 => String::new(),
         n => format!("; {} more of this gesture cannot be met either", n - 1),
     };
-    // Without a sign of what rounds to nothing.
+    // Adding 0.0 removes the sign of a value that rounds to zero.
     let [x, y, z] = [x, y, z].map(|part| (part * 100.0).round() / 100.0 + 0.0);
     Some(
         Diagnostic::warning("player::palm", palm.span, message).hint(format!(

@@ -1,4 +1,4 @@
-//! From the clauses of control parameters to the actor's commands (GEVH D.3.27 to D.3.30).
+//! Conversion of the clauses of control parameters to the actor's commands (GEVH D.3.27 to D.3.30).
 
 use raconteur_actor::parameters::{Adsr, Parameter, ParameterCommand, PlaybackStyle};
 use raconteur_eml::{
@@ -181,7 +181,7 @@ mod tests {
                     (3.1, "jaw", 0.0),
                 ],
             ),
-            // Out of range, and both ways.
+            // Values out of range in both directions.
             (
                 "<body-set-control-parameter time='0' parameterId='UpperLid' value='7'/>
                  <body-set-control-parameter time='0' parameterId='Blush' value='-1'/>

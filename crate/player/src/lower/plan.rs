@@ -1,4 +1,4 @@
-//! A script lowered for one figure: its plans for the actor, the picture, the music and the cues.
+//! Script lowered for one figure: its plans for the actor, the frame, the music and the cues.
 
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::parameters::ParameterCommand;

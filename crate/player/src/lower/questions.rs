@@ -1,4 +1,4 @@
-//! Questions of a story, at their times.
+//! Questions of a story at their times.
 
 use raconteur_eml::{AskKind, AskOption, ClauseKind};
 
@@ -178,7 +178,7 @@ impl Script {
                     found.push((index, cue));
                 }
                 ClauseKind::Answer(answer) => {
-                    // A group stands before what is in it.
+                    // A group precedes its content.
                     let of = at
                         .container
                         .and_then(|ask| found.binary_search_by_key(&ask, |(ask, _)| *ask).ok());

@@ -1,4 +1,4 @@
-//! What hands of a figure cannot do: places out of reach, and strokes that come too late.
+//! Unreachable hand goals of a figure: positions out of reach, and strokes that come too late.
 
 use std::collections::BTreeMap;
 
@@ -79,7 +79,7 @@ pub(crate) fn out_of_reach(
                     - reach.shoulders_in_world[side.index()])
                 .magnitude()
                     - reach.arm_m;
-                // A tenth of a millimetre is below what rounding in a script can mean.
+                // A tenth of a millimetre is below the rounding of a script.
                 if beyond > 1e-4 {
                     far.push((beyond, key.span, side));
                 }

@@ -1,4 +1,5 @@
-//! The library's music (GEVH 3.5.4.3): three pieces of each valence, of which a performance plays one.
+//! The library's music (GEVH 3.5.4.3): three pieces of each valence, of which a performance plays
+//! one.
 
 use raconteur_base::noise;
 use raconteur_eml::Document;

@@ -1,4 +1,4 @@
-//! What the clauses of a document need from elsewhere: animations that the page has to bring.
+//! Requirements of a document's clauses: animations that the page must supply.
 
 use raconteur_actor::animation::stem;
 use raconteur_eml::{

@@ -1,4 +1,4 @@
-//! A story read: its document, its times and its voice, before anyone performs it.
+//! Parsed story: its document, its times and its voice, independent of the performer.
 
 use std::sync::Arc;
 
@@ -191,7 +191,7 @@ impl Script {
             .collect();
         let mut clauses = self.timeline.clauses.iter();
         let first = clauses.find(|c| is_gesture(&self.document, c.clause));
-        // Who asks for it knows.
+        // The author who requests it knows.
         let is_asked = self.document.run_up.is_some();
         if let Some(first) = first.filter(|_| self.waits_secs > UNSEEN_SECS && !is_asked) {
             let message = format!(

@@ -1,5 +1,5 @@
-//! What the camera shows, as a function of time: the shots that a script takes and those that the
-//! strongest emotion asks for (GEVH 3.5.4.1), eased from one to the next.
+//! Camera shots as a function of time: those of the script and those of the strongest emotion (GEVH
+//! 3.5.4.1), eased from one to the next.
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::order::sort_by_number;

@@ -1,8 +1,8 @@
-//! From EML's units and axes to the engine's.
+//! Conversion of EML's units and axes to the engine's.
 //!
-//! EML keeps the axes of GEVH's skeleton: x to the character's left, y up, z *back*,
-//! lengths in skeleton units of which the figure stands 77 high. The engine is
-//! right-handed with z to the front, in metres. Only this module converts between them.
+//! EML keeps the axes of GEVH's skeleton: x to the character's left, y up, z *back*, lengths in
+//! skeleton units of which the figure is 77 high. The engine is right-handed with z to the front,
+//! in metres. Only this module converts between them.
 
 use raconteur_base::DVec3;
 use raconteur_body::{Bone, Skeleton};

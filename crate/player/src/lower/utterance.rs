@@ -1,4 +1,4 @@
-//! The utterance of a clause: as it was baked, or estimated.
+//! Utterance of a clause: baked or estimated.
 
 use std::sync::Arc;
 

@@ -1,4 +1,5 @@
-//! From body-configure-geometry (GEVH D.3.4) to what a frame shows of the figure.
+//! Conversion of body-configure-geometry (GEVH D.3.4) to the visible parts of the figure in a
+//! frame.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseKind, ConfigureGeometry, Document, FillMode, Timeline, VisibleMeshes};

@@ -1,4 +1,4 @@
-//! When each word and phone of what a script says is heard.
+//! Times of each word and phone of a script.
 
 use std::sync::Arc;
 

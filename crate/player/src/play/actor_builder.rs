@@ -1,4 +1,4 @@
-//! Prepares an actor for all that is known of a performance.
+//! Preparation of an actor for all known parts of a performance.
 
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::{Actor, ArmScript, Library, ParameterScript, Performance, PlayerScript};
@@ -81,7 +81,7 @@ impl ActorBuilder<'_> {
             gestures.push(Gesture {
                 from_secs: f64::NEG_INFINITY,
                 to_secs: f64::INFINITY,
-                // Whoever asks for room sees all of it, in a narrow picture too.
+                // A request for space shows all of it, in a narrow image too.
                 space: TakenSpace {
                     top_m: least.top_m,
                     bottom_m: 0.0,

@@ -1,4 +1,4 @@
-//! How far a performance has come, and which cues have been delivered.
+//! Progress of a performance and of its delivered cues.
 
 /// Progress of a performance. Times are story time, seconds.
 pub(crate) struct Clock {

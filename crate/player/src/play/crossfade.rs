@@ -1,9 +1,9 @@
-//! One actor after another: a performance that changes while it is performed.
+//! Crossfade between actors: a performance that changes while it runs.
 //!
-//! An actor is a function of time over the whole performance, so a clause that comes of a
-//! sudden needs another actor, who may have prepared for it before it came. The figure eases
-//! from the one to the other instead of jumping. Which actors are on at a time depends on
-//! the time alone: seeking shows what playing showed.
+//! An actor is a function of time over the whole performance. A clause that arrives suddenly needs
+//! another actor, which may have prepared for it before its arrival. The figure eases from one to
+//! the other instead of jumping. The active actors depend on the time alone: seeking shows the same
+//! as playing.
 
 use raconteur_actor::EvaluationReport;
 use raconteur_actor::{Actor, FaceRig};

@@ -1,5 +1,5 @@
-//! Notifications of listeners, as plain objects: the element's events in a page, and the lines
-//! that a mind reads.
+//! Notifications of listeners as plain objects: the element's events in a page, and the lines that
+//! a mind reads.
 
 use raconteur_eml::{Diagnostic, LineIndex, Severity};
 use serde::Serialize;

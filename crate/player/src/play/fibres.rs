@@ -1,5 +1,5 @@
-//! The tissue of a face as lines over the body: springs of the skin, fibres of the muscles, and the
-//! bone under them.
+//! Tissue of a face as lines over the body: springs of the skin, fibres of the muscles, and the
+//! underlying bone.
 
 use raconteur_base::{DAffine3, DVec3, NodeState};
 use raconteur_body::face::{Network, Tissue};

@@ -1,4 +1,4 @@
-//! Evaluates the plans at a time.
+//! Evaluation of the plans at a time.
 
 mod actor_builder;
 mod clock;

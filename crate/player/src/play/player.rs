@@ -1,4 +1,4 @@
-//! The player: evaluates any moment of a story for one figure.
+//! Player: evaluates any time of a story for one figure.
 
 use std::sync::Arc;
 
@@ -216,7 +216,7 @@ impl Player {
         self.cast.face = FaceRig::new(&figure);
         self.soft = figure.tissue.as_ref().map(SoftFace::new);
         self.cast.figure = figure;
-        // Who waits is made anew from the figure.
+        // The idle figure is created again from the figure.
         self.welcome = None;
     }
 

@@ -1,4 +1,4 @@
-//! All that is performed: the story, and what has joined it while it plays.
+//! All performed parts: the story, and the fragments that have joined it.
 
 use raconteur_actor::Library;
 use raconteur_base::order::sort_by_number;

@@ -1,10 +1,10 @@
-//! Simulations behind the clock.
+//! Simulations that follow the clock.
 //!
-//! A simulation has a state, but the picture of a time must not depend on how the clock came
-//! there. So time is cut into segments, and the state in a segment follows from what drives it
-//! since a fixed moment before it, where it begins at rest: the difference to what came before
-//! has died away when the segment begins. While one segment plays, the warm-up of the next is
-//! simulated; a seek simulates at most a segment with both warm-ups.
+//! A simulation has a state, but the frame of a time must not depend on the path of the clock. Time
+//! is therefore split into segments. The state in a segment follows from its inputs since a fixed
+//! time before it, where it starts at rest; the difference from the preceding state has decayed
+//! when the segment starts. While one segment plays, the warm-up of the next is simulated; a seek
+//! simulates at most a segment with both warm-ups.
 
 use core::mem::swap;
 

@@ -1,5 +1,5 @@
-//! How the figure is shown: shots and lights of the script and of what is felt, the page's own view,
-//! and the drawing's switches.
+//! Presentation of the figure: shots and lights of the script and of emotions, the page's own view,
+//! and the visibility switches.
 
 use raconteur_base::DVec3;
 use raconteur_stage::{
@@ -159,7 +159,7 @@ impl ShotDirector {
                 }
             };
             match take.shot {
-                // The lens goes near, and makes room for hands.
+                // The lens zooms in and leaves room for the hands.
                 near @ (Shot::Medium | Shot::Close | Shot::ExtremeClose) if take.is_felt => {
                     let rest = near.emotion_span(stature_m, aspect);
                     let zoom = if self.moves { QUICK_ZOOM } else { SLOW_ZOOM };

@@ -1,4 +1,4 @@
-//! The soft face over time: steps of the tissue behind the clock.
+//! Soft face over time: steps of the tissue that follow the clock.
 
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 

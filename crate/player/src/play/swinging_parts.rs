@@ -1,4 +1,4 @@
-//! Hair that swings, over time: steps of its chains behind the clock.
+//! Swinging hair over time: steps of its chains that follow the clock.
 
 use raconteur_base::DAffine3;
 use raconteur_base::curve::minimum_jerk;
@@ -44,7 +44,7 @@ impl Simulation<SpringState> for DrivenChains<'_, '_> {
     }
 
     fn step(&mut self, swing: &mut SpringState, step: i64) {
-        // Both runs take the same step one after the other.
+        // Both runs take the same step consecutively.
         if self.solved != Some(step) {
             self.solve(step);
         }

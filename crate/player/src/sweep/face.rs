@@ -1,5 +1,5 @@
-//! What a viewer would notice of the face: lips that stay apart in a closure, lids that do not
-//! meet, skin in skin, teeth or bone.
+//! Visible faults of the face: lips that stay apart in a closure, lids that do not meet, skin in
+//! skin, teeth or bone.
 
 use std::ops::RangeInclusive;
 

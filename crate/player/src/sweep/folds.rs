@@ -1,9 +1,9 @@
-//! Narrow folds of moved skin where faces have none: dents.
+//! Dents: narrow folds of moved skin where faces have none.
 //!
-//! A fold of width w is half a wave of 2 w. Against the surface at rest, its depth at a place is
-//! how far that lies below (or above) the middle of the two places on both sides of it, less
-//! what the wider curve through twice as far ones has of that: for a wave of depth D
-//! and length four times the way `s`, D / 4, for one of 2 `s`, all of it.
+//! A fold of width w is half a wave of 2 w. Relative to the surface at rest, its depth at a point
+//! is the distance below (or above) the midpoint of the two points on both sides of it, minus the
+//! share of the wider curve through points twice as far away: for a wave of depth D and length four
+//! times the distance `s`, D / 4, for one of 2 `s`, all of it.
 
 use raconteur_base::DVec3;
 use raconteur_body::face::tissue::FibreCurve;
@@ -207,7 +207,7 @@ impl SmoothRegion {
         {
             return false;
         }
-        // From the wing of the nose past the corner of the mouth and down beside the chin.
+        // From the wing of the nose past the corner of the mouth and down next to the chin.
         let past = corner + DVec3::new(sign * 8.0, 0.0, 0.0) * mm;
         let down = corner + DVec3::new(sign * 4.0, -18.0, 0.0) * mm;
         let off_line = |a: DVec3, b: DVec3| {

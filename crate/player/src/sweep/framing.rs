@@ -1,4 +1,4 @@
-//! Whether the picture holds what it should, in landscape and in portrait.
+//! Framing checks in landscape and portrait.
 
 use raconteur_base::{DVec3, Side, ops};
 use raconteur_body::Bone;
@@ -100,7 +100,7 @@ impl Framing {
                     .measure(place[0].abs().max(place[1].abs()), "head", t);
             }
             for (side, tips) in Side::BOTH.into_iter().zip(places.tips) {
-                // From a narrower picture hands may go for a moment.
+                // Hands may leave a narrower frame for a short time.
                 if aspect >= BROAD && player.is_in_seen_stroke(side, t) {
                     seen.strokes += 1;
                     seen.out += u32::from(!tips.iter().all(|p| is_shown(&camera, aspect, *p)));

@@ -1,4 +1,4 @@
-//! Whether hair goes through skin or clothes, measured on the drawn meshes.
+//! Hair that penetrates skin or clothes, measured on the rendered meshes.
 
 use std::collections::HashMap;
 

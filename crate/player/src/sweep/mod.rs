@@ -1,10 +1,10 @@
-//! Plays a story without pixels and reports what a viewer would notice.
+//! Checks of a story without rendering: plays it and reports visible faults.
 //!
-//! A sweep looks at 120 frames a second of a [`Player`] and measures each of them: lengths of
-//! bones, rotations, speeds of joints, hands in the body or in each other, limits of joints,
-//! whether strokes begin when the script says, whether hair that swings goes through skin or
-//! clothes, whether the picture holds hands and face, and whether the face closes what speech closes.
-//! It reports the worst of each with its location and time.
+//! A sweep examines 120 frames per second of a [`Player`] and measures each of them: lengths of
+//! bones, rotations, speeds of joints, hands in the body or in each other, limits of joints, start
+//! times of strokes compared with the script, swinging hair in skin or clothes, hands and face in
+//! the frame, and speech closures of the face. It reports the worst value of each with its location
+//! and time.
 
 mod face;
 mod folds;
@@ -198,11 +198,11 @@ impl Sweep {
             // A chain of ten joints of a metre rounds by less than a nanometre.
             length: Check::new("bone-length", 1e-6, "mm"),
             rotation: Check::new("unit-rotation", 1e-9, ""),
-            // A fist that closes as fast as the planner lets it.
+            // A fist that closes at the planner's maximum speed.
             speed: Check::new("joint-speed", 41.0, "rad/s"),
-            // The fastest turn that the planner makes, begun at once by a linear profile.
+            // The fastest turn of the planner, started abruptly by a linear profile.
             kick: Check::new("joint-jump", 16.0, "rad/s"),
-            // The fastest way that the planner takes, by minimum jerk, on a moving trunk.
+            // The fastest path of the planner, by minimum jerk, on a moving trunk.
             wrist: Check::new("wrist-speed", 4.4, "m/s"),
             trunk: Check::new("hand-in-trunk", 5.0, "mm"),
             head: Check::new("hand-in-head", 5.0, "mm"),
@@ -357,13 +357,13 @@ fn late_strokes(player: &mut Player, secs: &RangeInclusive<f64>) -> Check {
             let mut off_m = |ms: u32| {
                 let t = begins + f64::from(ms) * 1e-3;
                 let wrist = player.frame(t, 1.6).world_from_joint[bone.index()];
-                // The place goes with the figure.
+                // The position moves with the figure.
                 let place = player.world_from_figure(t).transform_point3(place);
                 wrist.translation.distance(place)
             };
             let ways_m: Vec<f64> = (0..steps).map(&mut off_m).collect();
             let nearest_m = ways_m.iter().copied().fold(f64::INFINITY, f64::min);
-            // Who cannot reach farther is there.
+            // A fully stretched arm counts as arrived.
             let there_m = if nearest_m < STRETCHED_M {
                 THERE_M.max(nearest_m + UNSEEN_M)
             } else {

@@ -1,5 +1,5 @@
-//! What of a figure may not pass through what: hands as chains of capsules, trunk, neck and
-//! head as stacks of slices, all measured on its meshes.
+//! Solids of a figure for collision: hands as chains of capsules, trunk, neck and head as stacks of
+//! slices, all measured on its meshes.
 
 use raconteur_actor::gesture::contact::{Capsule, TIP_SHARE};
 use raconteur_actor::kinematics::world_from_bone;

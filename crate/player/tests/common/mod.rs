@@ -1,5 +1,5 @@
-//! What tests of the player share: files of the library, figures, and players that have what
-//! their stories want.
+//! Helpers shared by tests of the player: files of the library, figures, and players with all
+//! requirements of their stories.
 
 #![allow(dead_code, reason = "each test uses some of it")]
 

@@ -1,4 +1,4 @@
-//! Pipelines by what differs between them.
+//! Descriptions of pipelines by their differences.
 
 use wgpu::{
     BindGroupLayout, BlendState, CompareFunction, Device, Face, PrimitiveTopology, RenderPipeline,

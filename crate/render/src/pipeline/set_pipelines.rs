@@ -1,4 +1,4 @@
-//! What draws the stage: one program for each place, compiled when a story first goes there.
+//! Stage pipelines: one program for each set, compiled at its first use in a story.
 
 use raconteur_stage::StageSet;
 use wgpu::{Device, RenderPipeline};

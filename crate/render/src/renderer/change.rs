@@ -1,4 +1,4 @@
-//! Another quality: at once, or without holding a picture up.
+//! Change of quality: immediate, or without delaying a frame.
 
 use raconteur_stage::StageSet;
 

@@ -1,4 +1,4 @@
-//! The passes of a picture: shadow, backdrop, stage, tones.
+//! Render passes of a frame: shadow, backdrop, stage, tone mapping.
 
 use raconteur_body::MaterialKind;
 use raconteur_stage::{Fill, Visibility};
@@ -37,7 +37,7 @@ impl Renderer {
             ..Default::default()
         });
         let Some(figure) = &self.figure else { return };
-        // A hidden figure or a wireframe casts nothing.
+        // A hidden figure or a wireframe casts no shadow.
         if !shown.body || shown.fill != Fill::Solid {
             return;
         }
@@ -154,8 +154,8 @@ impl Renderer {
         };
         let thin = shown.fill != Fill::Solid;
         let at = (shown, self.detail);
-        // Solid surfaces go first; then the theatre fills the rest; then what adds light
-        // and what lets it through.
+        // Solid surfaces come first; then the theatre fills the rest; then additive and transparent
+        // surfaces follow.
         let figure = self.figure.as_ref().filter(|_| shown.body);
         if let Some(figure) = figure.filter(|_| !thin) {
             figure.draw(&mut pass, counts, at, opaque, |key| {

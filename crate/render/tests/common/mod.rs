@@ -1,5 +1,5 @@
-//! A small figure for tests: balls and tubes on GEVH's example skeleton, with one part
-//! of every material.
+//! Small figure for tests: balls and tubes on GEVH's example skeleton, with one part of every
+//! material.
 
 use glam::{Vec2, Vec3};
 use raconteur_base::{DAffine3, DVec3};

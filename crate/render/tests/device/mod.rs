@@ -1,4 +1,4 @@
-//! A device that draws without a window.
+//! Device without a window.
 
 use raconteur_render::{Headless, Quality, RenderOptions};
 

@@ -1,8 +1,8 @@
-//! The shipped figures in close shots: nothing on their skin sparkles, no light comes through
-//! where a lamp does not shine, and shadows beside the nose have no grain.
+//! Close shots of the shipped figures: no sparkles on the skin, no light in unlit areas, and no
+//! grain in shadows next to the nose.
 //!
-//! Each bound lies between what is drawn now and what was before skin was mended; both are said
-//! with it, as Mesa's llvmpipe draws them. Of sparks there were four in three pictures.
+//! Each bound lies between the current value and the one before the skin was corrected; both are
+//! specified with it, as rendered by Mesa's llvmpipe. Sparkles numbered four in three images.
 
 use crate::device::headless;
 use crate::figures::{At, FIGURES, figure, frame, send};

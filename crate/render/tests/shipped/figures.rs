@@ -1,5 +1,4 @@
-//! The shipped figures seen from near: their pictures decoded, arms hanging, cameras about
-//! head and hands.
+//! Close views of the shipped figures: decoded images, hanging arms, cameras about head and hands.
 
 use raconteur_base::{DQuat, DVec3, Side, ops};
 use raconteur_body::face::{FaceControls, Network, NodeState};

@@ -1,5 +1,6 @@
-//! Levels of detail of the shipped figures: they are as small as they promise, no seam opens, shut
-//! lids and lips hide what is behind them at all of them, and each covers what the finest covers.
+//! Levels of detail of the shipped figures: they have their promised sizes, no seam opens, closed
+//! lids and lips hide the parts behind them at all levels, and each covers the same area as the
+//! finest.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -68,7 +69,7 @@ fn levels_shrink_and_open_no_seam() {
             assert!(triangles <= most, "{name}: {triangles} at level {level}");
         }
         for mesh in &figure.meshes {
-            // Cards are nothing but borders.
+            // Cards consist only of borders.
             if matches!(mesh.material.kind, MaterialKind::Hair | MaterialKind::Lash) {
                 continue;
             }
@@ -89,7 +90,7 @@ fn levels_shrink_and_open_no_seam() {
 fn mark_what_is_behind(figure: &mut Figure) {
     for mesh in &mut figure.meshes {
         let (kind, material) = (mesh.material.kind, &mut mesh.material);
-        // Caruncles are seen beside shut lids too.
+        // Caruncles are visible next to closed lids too.
         let is_behind = matches!(kind, MaterialKind::Eye | MaterialKind::Teeth);
         if is_behind && !mesh.name.starts_with("caruncle") {
             material.kind = MaterialKind::Plain;
@@ -98,7 +99,7 @@ fn mark_what_is_behind(figure: &mut Figure) {
             mesh.colors.iter_mut().for_each(|c| *c = [255; 4]);
         }
     }
-    // Nothing may hide what comes through, and a hair is no lid.
+    // Nothing may hide a part that shows through, and a hair is not a lid.
     figure
         .meshes
         .retain(|m| matches!(m.material.kind, MaterialKind::Skin | MaterialKind::Plain));
@@ -189,7 +190,7 @@ fn each_level_covers_what_the_finest_covers() {
         };
         (0..sized(2, POSES)).map(solved).collect()
     };
-    // One quality for all, so that nothing but the triangles differs.
+    // All levels use one quality, so that only the triangles differ.
     let mut device = headless(Quality::High);
     for name in FIGURES {
         let figure = figure(name);

@@ -1,4 +1,4 @@
-//! The shipped figures as they are drawn: near, and at each level of detail.
+//! Renderings of the shipped figures: near, and at each level of detail.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 

@@ -1,4 +1,4 @@
-//! Glasses: rims before the eyes, a bridge on the nose, and bows to the ears.
+//! Glasses: rims in front of the eyes, a bridge on the nose, and temples to the ears.
 
 use std::f64::consts::TAU;
 
@@ -140,7 +140,8 @@ impl Frame {
     /// From the outside of a rim to behind the ear.
     fn bow(&self, side: f64, fit: &Fit) -> Vec<DVec3> {
         let hinge = self.on_rim(side, 0.35);
-        // The bow lies on the root of the ear, a little above the tragion, which is at height and depth 0.
+        // The temple of the glasses lies on the root of the ear, slightly above the tragion, which
+        // is at height and depth 0.
         let ear = DVec3::new(0.0, 0.024_f64.min(hinge.y + 0.004), -0.008);
         let points = (0..=16).map(|i| {
             let t = f64::from(i) / 16.0;

@@ -1,4 +1,4 @@
-//! Things worn on a head: they are made for the face that wears them.
+//! Accessories of a head, made for its face.
 
 mod cover;
 mod glasses;

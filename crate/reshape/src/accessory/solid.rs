@@ -109,7 +109,7 @@ impl Solid {
             };
             (next - before).try_normalize().unwrap_or(DVec3::Z)
         };
-        // The section is carried along, so that the rod does not twist.
+        // The section is transported along the path, so that the rod does not twist.
         let mut across = along(0).any_orthonormal_vector();
         let ring = |i: usize, across: DVec3, r: f64| -> Vec<DVec3> {
             let other = along(i).cross(across);
@@ -134,7 +134,7 @@ impl Solid {
             }
         }
         if closed && let Some(first) = rows.first().cloned() {
-            // Where it closes, the section may have turned: the nearest corner begins.
+            // At the closure, the section may have turned, so the nearest corner comes first.
             let last = ring(0, across, radius)[0];
             let turned = (0..SIDES).min_by(|&a, &b| {
                 let far = |k: usize| (first[k] - last).length();

@@ -1,4 +1,4 @@
-//! Hair, things worn and places on the skin of a shipped figure.
+//! Hair, accessories and skin points of a shipped figure.
 
 use std::sync::LazyLock;
 
@@ -369,7 +369,7 @@ fn a_moustache_stands_on_the_lip() {
         );
         let left = roots.iter().filter(|r| r.x > 0.0).count() as f64;
         let share = left / roots.len() as f64;
-        // Nobody's lips are the same on both sides.
+        // No real lips are equal on both sides.
         assert!((0.3..0.7).contains(&share), "{share}");
     }
 }
@@ -466,7 +466,7 @@ fn a_ray_meets_the_skin_that_it_is_aimed_at() {
         let Some(normal) = normal.try_normalize() else {
             continue;
         };
-        // From so near that nothing is between.
+        // From so near that nothing is in between.
         let spot = reshaper.pick(&figure, &skull, middle + normal * 2e-4, -normal);
         let spot = spot.expect("skin");
         let place: DVec3 = (0..3)

@@ -1,5 +1,5 @@
-//! The square picture that the skin of head and hands shares: how surfaces are laid flat in it, and which
-//! of them lies under each texel.
+//! Texture atlas shared by the skin of head and hands: flattening of surfaces, and the surface at
+//! each texel.
 
 mod raster;
 mod unwrap;

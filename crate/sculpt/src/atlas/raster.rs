@@ -1,4 +1,4 @@
-//! Which triangle lies under which texel, and pictures that are filled beyond them.
+//! Rasteriser of triangles to texels, and filling beyond them.
 
 use raconteur_base::DVec2;
 
@@ -79,7 +79,7 @@ impl Raster {
                         continue;
                     }
                     let slot = &mut hits[y * SIZE + x];
-                    // On a shared edge both triangles say the same.
+                    // On a shared edge, both triangles give the same value.
                     #[cfg(test)]
                     if slot.is_some() && w.iter().all(|&k| k > 1e-9) {
                         overlaps += 1;
@@ -111,7 +111,7 @@ impl Raster {
                 };
                 let corners = triangles[triangle as usize].map(texel);
                 if let Some(w) = weights_at(corners, centre(x, y)) {
-                    // A sliver would throw the place far away.
+                    // A sliver would move the point far away.
                     let w = w.map(|k| k.clamp(-2.0, 3.0));
                     let sum: f64 = w.iter().sum();
                     *slot = Some(Hit {

@@ -1,10 +1,10 @@
-//! Flattening a piece of surface: harmonic onto a given outline, which cannot fold, and
-//! conformal with a free outline.
+//! Flattening of a surface: harmonic onto a given outline, which cannot fold, and conformal with a
+//! free outline.
 //!
-//! Harmonic: Tutte 1963, doi:10.1112/plms/s3-13.1.743 (positive weights and a convex outline
-//! give a map without overlap), with cotangent weights (Pinkall and Polthier 1993,
-//! doi:10.1080/10586458.1993.10504266) held positive. Conformal: Lévy et al. 2002, least
-//! squares conformal maps, doi:10.1145/566654.566590.
+//! Harmonic: Tutte 1963, doi:10.1112/plms/s3-13.1.743 (positive weights and a convex outline give a
+//! map without overlap), with cotangent weights (Pinkall and Polthier 1993,
+//! doi:10.1080/10586458.1993.10504266) constrained to be positive. Conformal: Lévy et al. 2002,
+//! least squares conformal maps, doi:10.1145/566654.566590.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -67,8 +67,8 @@ pub(crate) fn harmonic(
 ) -> (Vec<DVec2>, Vec<Vec<u32>>) {
     let mut weights: BTreeMap<(u32, u32), f64> = BTreeMap::new();
     for face in faces {
-        // A quad is cut both ways and each counts half; a fan of more corners is coarse,
-        // but only the ends of pockets have them.
+        // A quad is split both ways with half the weight each; a fan of more corners is coarse, but
+        // only the ends of pockets have them.
         for [a, b, c] in both_cuts(face) {
             for (i, j, k) in [(a, b, c), (b, c, a), (c, a, b)] {
                 let [x, y] = [j, k].map(|v| positions[v as usize] - positions[i as usize]);
@@ -77,7 +77,7 @@ pub(crate) fn harmonic(
             }
         }
     }
-    // Diagonals count too; held between bounds, all weights are positive.
+    // Diagonals count too; clamping keeps all weights positive.
     let mut rows: Vec<Terms> = weights
         .iter()
         .map(|(&(a, b), &w)| {
@@ -227,7 +227,7 @@ pub(crate) fn unfold(triangles: &[[u32; 3]], flat: &mut [DVec2]) {
             return;
         }
         for v in folded {
-            // An edge that is evened out alone shrinks little; its inside follows.
+            // Smoothing an edge separately shrinks it little; its inside follows.
             let near = along.get(&v).unwrap_or(&around[&v]);
             let sum: DVec2 = near.iter().map(|&u| flat[u as usize]).sum();
             let middle = sum / near.len() as f64;

@@ -1,5 +1,5 @@
-//! Spine, ribs, breastbone and pelvis. The spine follows the skin of the back, the ribs the
-//! chest's wall.
+//! Spine, ribs, breastbone and pelvis. The spine follows the skin of the back, the ribs the chest's
+//! wall.
 
 use raconteur_base::curve::lerp;
 use raconteur_base::{DMat3, DVec3, Side, mirror_vector, ops};
@@ -43,7 +43,7 @@ fn levels(frame: &Frame) -> Vec<Level> {
             let middle = y - height / 2.0;
             y -= height;
             let inside = DVec3::new(0.0, middle, -0.01);
-            // Under the skin lie the spinous process and the back's muscles.
+            // The spinous process and the back's muscles lie under the skin.
             let back = frame.exit(inside, DVec3::NEG_Z, Regions::UPPER);
             let depth = lerp(0.044, 0.056, i as f64 / (VERTEBRAE - 1) as f64) * k;
             let centre = inside - DVec3::Z * (back - depth).max(0.0);
@@ -146,7 +146,7 @@ fn rib(frame: &Frame, index: usize, head: DVec3) -> Solid {
             let (sin, cos) = ops::sincos(angle);
             let way = DVec3::new(sin, 0.0, cos);
             let inset = lerp(0.026, 0.014, t) * k;
-            // Where the first ribs pass under the shoulder the wall is the dome of the chest.
+            // Where the first ribs pass under the shoulder, the wall is the dome of the chest.
             let dome = lerp(0.062, 0.20, ops::pow(i, 0.55)) * k;
             let out = (frame.exit(axis, way, Regions::LOWER) - inset).min(dome);
             (axis + way * out.max(0.02), 0.006 * k, 0.0035 * k)

@@ -1,5 +1,5 @@
-//! The skin of the head as what bones lie under: along rays, near a place, and in every
-//! direction of the skull's map.
+//! Head skin as the boundary of the bones: along rays, near a point, and in every direction of the
+//! skull's map.
 
 use std::collections::BTreeMap;
 
@@ -103,7 +103,7 @@ impl Skin {
     /// Returns the distance to the nearest skin within [`CELL_M`], and true if the point lies
     /// behind it; `None` if all skin is farther.
     pub(super) fn nearest(&self, p: DVec3) -> Option<(f64, bool)> {
-        // Distance, and how far before the triangle's plane.
+        // Distance, and the signed distance from the triangle's plane.
         let mut best: Option<(f64, f64)> = None;
         for t in self.cells.get(&cell(p))? {
             let t = &self.triangles[*t as usize];
@@ -113,8 +113,8 @@ impl Skin {
             }
             let normal = (t[1] - t[0]).cross(t[2] - t[0]);
             let before = normal.dot(p - t[0]) / normal.length().max(1e-12);
-            // Where an edge is nearest, whichever of its triangles is seen more steeply tells
-            // on which side the point is.
+            // If an edge is nearest, its triangle with the steeper view determines the side of the
+            // point.
             let is_nearer = best.is_none_or(|(least, plane)| {
                 let is_same = (d - least).abs() < SAME_M;
                 if is_same {

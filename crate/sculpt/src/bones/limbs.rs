@@ -193,8 +193,8 @@ fn arm(frame: &Frame, side: Side) -> Vec<MeshPart> {
     vec![
         rigid(&format!("{l}_humerus"), keep(humerus), shoulder),
         rigid(&format!("{l}_ulna"), keep(ulna), elbow),
-        // Turning the palm rolls the radius about an axis through its own head: each part of
-        // it takes as much of the wrist's twist as lies behind it.
+        // Pronation rolls the radius about an axis through its own head: each part of it takes the
+        // share of the wrist's twist that lies behind it.
         build_part(&format!("{l}_radius"), keep(radius), |p| {
             let t = ((p - b).dot(along) / span).clamp(0.0, 1.0) * 3.0;
             let stops = [

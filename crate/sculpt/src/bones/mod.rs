@@ -1,9 +1,9 @@
-//! The inner structure: skull, mandible, spine, ribs, girdles, limbs, hands and feet as
-//! low-poly solids, each rigid to a bone of the skeleton.
+//! Inner structure: skull, mandible, spine, ribs, girdles, limbs, hands and feet as low-poly
+//! solids, each rigid to a bone of the skeleton.
 //!
-//! Bones lie inside the skin of the figure they are built for. They are not part of a
-//! shipped figure; [`layered`] adds them or shows them alone. Shapes are designed after plain
-//! anatomy: long bones are shafts with heads, flat bones plates.
+//! Bones lie inside the skin of their figure. They are not part of a shipped figure; [`layered`]
+//! adds them or shows them separately. Shapes are designed after plain anatomy: long bones are
+//! shafts with heads, flat bones plates.
 
 mod body;
 mod head_skin;
@@ -212,7 +212,7 @@ pub fn layered(params: &FigureParams, built: &AnnotatedFigure, layer: Layer) -> 
             both.meshes.extend(bones.meshes);
             both
         }
-        // Joints that swing come after all others: bones have none on them.
+        // Swinging joints come after all others, and bones use none of them.
         Layer::Bones | Layer::Skin => Figure {
             skeleton: skin.skeleton.clone(),
             inverse_bind: skin.inverse_bind.clone(),

@@ -1,11 +1,11 @@
 //! Skull and lower jaw, fitted under the skin of the face.
 //!
-//! The skull is a radial map about the middle of the brain: in every direction the outermost
-//! skin, less the soft tissue over bone there, with orbits and nose carved in and a flat
-//! base. Soft-tissue depths are means of adults after Stephan and Simpson 2008, "Facial soft
-//! tissue depths in craniofacial identification (part I)", J. Forensic Sci. 53(6),
-//! 1257–1272, doi 10.1111/j.1556-4029.2008.00852.x (recalled to the half millimetre, not
-//! read again); between its points they are interpolated.
+//! The skull is a radial map about the centre of the brain: in every direction the outermost skin,
+//! minus the soft tissue over bone there, with orbits and nose carved in and a flat base.
+//! Soft-tissue depths are means of adults after Stephan and Simpson 2008, "Facial soft tissue
+//! depths in craniofacial identification (part I)", J. Forensic Sci. 53(6), 1257–1272, doi
+//! 10.1111/j.1556-4029.2008.00852.x (recalled to the half millimetre, not read again); between its
+//! points they are interpolated.
 
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{DVec3, Side, ops};
@@ -109,7 +109,7 @@ fn skull(skin: &Skin) -> Solid {
                     let d = direction(i, j);
                     let mut r = raw[i][j];
                     let at = relative(centre + d * r);
-                    // Ears stand off: there the nearest head around them counts.
+                    // Ears protrude, so the nearest part of the head around them counts.
                     if at.x.abs() > 50.0 && at.z < -35.0 && at.y.abs() < 60.0 {
                         for a in -5i32..=5 {
                             for b in -5i32..=5 {
@@ -218,7 +218,7 @@ fn mandible(skin: &Skin) -> Solid {
     let mm = 0.001 * skin.scale;
     let level = skin.chin.y + 21.0 * mm;
     let middle = DVec3::new(0.0, level, lerp(skin.hinge.z, skin.eyes.z, 0.30));
-    // Means: 11 mm over the chin, 18 beside it, 21 over the molars, 12 at the angle.
+    // Means: 11 mm over the chin, 18 next to it, 21 over the molars, 12 at the angle.
     let arc = |degrees: f64, depth: f64, y: f64| {
         let (s, c) = ops::sincos(degrees.to_radians());
         let way = DVec3::new(s, 0.0, c);

@@ -1,4 +1,4 @@
-//! Bones lie inside the skin, are counted right and are closed.
+//! Bones are inside the skin, have the right number and are closed.
 
 use std::sync::OnceLock;
 

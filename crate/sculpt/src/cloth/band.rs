@@ -1,7 +1,7 @@
 //! Rounded bands that continue the edges of cloth: cuffs, neckbands, hems.
 //!
-//! A band follows a direction (down the arm, up the neck) and keeps its distance from the
-//! body, which a strip laid on the draped edge would not.
+//! A band follows a direction (down the arm, up the neck) and keeps its distance from the body; a
+//! strip on the draped edge would not.
 
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{DVec3, ops};
@@ -121,7 +121,7 @@ fn sweep(path: &[Station], band: &Band<'_>) -> Shell {
             let mut p = s.place + band.direction * (along * band.width);
             for _ in 0..4 {
                 let (d, n) = band.round.value_and_normal(p);
-                // Across the direction only, so that the width stays.
+                // Only across the direction, so that the width is preserved.
                 let across = (n - band.direction * n.dot(band.direction)).normalize_or_zero();
                 p += across * (off - d).clamp(-2.0 * CM, 2.0 * CM);
             }

@@ -1,4 +1,4 @@
-//! What lies round the neck: a shirt's collar and a hood that hangs down.
+//! Collars: a shirt's collar and a hanging hood.
 
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{DVec3, ops};
@@ -141,7 +141,7 @@ fn profile(wearer: &Wearer<'_>, turn: f64) -> Vec<DVec3> {
         // The ends spread apart as they fall.
         let turned = a + side * ((GAP + 13.0 * down) * point).to_radians();
         let out = (off + 0.9 * point * down) * unit;
-        // It hangs along the neck, and what lies below pushes it out.
+        // The collar hangs along the neck; the parts below push it outwards.
         let (top, hem) = (foot + stand, foot + stand - fall * down);
         let along = field.neck_centre(hem) - field.neck_centre(top);
         let mut p = neck.point(turned, top, out) + along;
@@ -176,7 +176,7 @@ pub fn hood(wearer: &Wearer<'_>, clear_cm: f64) -> Shell {
         let ring = (0..AROUND)
             .map(|k| {
                 let (s, c) = ops::sincos(core::f64::consts::TAU * k as f64 / AROUND as f64);
-                // The bag hangs behind: below and outside the roll is drawn long.
+                // The bag hangs behind: it extends below and outside the roll.
                 let bag = back * back * fade(-s, 0.0, 0.9);
                 let drop = 1.0 + 4.2 * bag;
                 let crumple = 1.0 + 0.05 * bag * ops::sin(13.0 * a);

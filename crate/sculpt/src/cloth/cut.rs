@@ -1,4 +1,4 @@
-//! How a top is cut, and what it is while it is made.
+//! Cut of a top, and its intermediate state.
 
 use raconteur_base::{DVec3, Side, mirror_vector};
 

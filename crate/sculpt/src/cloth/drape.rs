@@ -1,5 +1,5 @@
-//! Position-based drape (Müller et al. 2007, doi:10.1016/j.jvcir.2007.01.005) against the
-//! body's field.
+//! Position-based drape (Müller et al. 2007, doi:10.1016/j.jvcir.2007.01.005) against the body's
+//! field.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -90,7 +90,7 @@ fn links(cloth: &Draping, seed: u64) -> Vec<Link> {
             one_sided: true,
         });
     }
-    // An order without direction keeps the sweeps from drifting.
+    // A random order prevents a drift of the sweeps.
     let mut order: Vec<(u64, usize)> = (0..out.len())
         .map(|i| (noise::hash(seed, 1, i as i64), i))
         .collect();

@@ -1,4 +1,4 @@
-//! A dressed figure in the making, and what several garments share.
+//! Dressed figure under construction, with the data shared by several garments.
 
 use raconteur_base::DVec3;
 use raconteur_body::figure::MaterialKind;

@@ -1,4 +1,4 @@
-//! From draped shells to parts: texture coordinates in metres, occlusion, colours.
+//! Conversion of draped shells to parts: texture coordinates in metres, occlusion, colours.
 
 use std::collections::BTreeMap;
 
@@ -145,7 +145,7 @@ pub fn cloth_part(
         morphs: Vec::new(),
         bound: Vec::new(),
     };
-    // A vertex is doubled where charts meet and where a chart closes on itself.
+    // A vertex is duplicated where charts meet and where a chart closes on itself.
     let mut made: BTreeMap<(u32, usize, i32), u32> = BTreeMap::new();
     for (f, face) in shell.faces.iter().enumerate() {
         let index = (unrolling.chart_of)(f);

@@ -1,5 +1,5 @@
-//! Folds that a tailor expects: strokes that raise a ridge with a valley below it, put
-//! into the cloth's rest shape, so that the drape keeps and settles them.
+//! Tailored folds: strokes that raise a ridge with a valley below it. They are part of the cloth's
+//! rest shape, so that the drape keeps and settles them.
 
 use raconteur_base::{DVec3, noise, ops};
 

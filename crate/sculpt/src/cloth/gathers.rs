@@ -1,4 +1,4 @@
-//! Where the cloth of a top gathers: at elbows and cuffs, from the armpits, above the hem.
+//! Gathers of a top: at elbows and cuffs, from the armpits, above the hem.
 
 use raconteur_base::{DVec3, Side};
 
@@ -30,7 +30,7 @@ fn sleeve_folds(out: &mut Vec<(ClothZone, Fold)>, wearer: &Wearer<'_>, cut: &Top
         .position_of(Bone::LWrist)
         .distance(joints.position_of(Bone::LElbow));
     let chance = SeededRandom(cut.seed + side.index() as u64);
-    // The inside of the elbow looks to the front.
+    // The inside of the elbow faces forwards.
     let front = side.sign() * core::f64::consts::FRAC_PI_2;
     let mut ring = |n: usize, along: f64, angle: f64, span: f64, tilt_cm: f64, height_cm: f64| {
         let fold = Ring {

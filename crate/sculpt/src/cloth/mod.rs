@@ -1,5 +1,5 @@
-//! Clothes: sheets set off from the body's cage, folded and draped in the rest pose
-//! against the body's field, sewn, with swept bands that give every visible edge thickness.
+//! Clothes: sheets offset from the body's cage, folded and draped in the rest pose against the
+//! body's field, sewn, with swept bands that give every visible edge thickness.
 
 pub mod band;
 pub mod collar;

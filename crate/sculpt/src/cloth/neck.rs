@@ -1,5 +1,5 @@
-//! The skin that collars lie against. Above the shoulders it is the head's own, which is slimmer
-//! than the body's field there and follows the person's neck.
+//! Neck skin under collars. Above the shoulders it is the head's own, which is slimmer than the
+//! body's field there and follows the person's neck.
 
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, ops};

@@ -1,4 +1,4 @@
-//! Three ways to dress.
+//! Three outfits.
 
 use raconteur_base::{DVec3, Side};
 

@@ -1,7 +1,7 @@
-//! Seams: along chosen edges the cloth is drawn in by its stitches.
+//! Seams: along selected edges, the stitches draw the cloth in.
 //!
-//! The faces beside a seam are split a few millimetres from it, so that the groove is
-//! narrow whatever the size of the faces, and the cloth stays one surface.
+//! The faces next to a seam are split a few millimetres from it, so that the groove is narrow for
+//! any face size, and the cloth stays one surface.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,5 +1,5 @@
-//! A garment's sheet: faces of the body's cage, refined once, with the cage's places kept,
-//! so that seams and edges can be named.
+//! Sheet of a garment: faces of the body's cage, refined once. It preserves the cage's keys, so
+//! that seams and edges can be named.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What shows of a shirt under a cardigan.
+//! Visible part of a shirt under a cardigan.
 
 use raconteur_base::DVec3;
 

@@ -81,7 +81,7 @@ fn stations(profile: &[[f64; 4]; 11]) -> Vec<[f64; 4]> {
                 - 1;
             let (a, b) = (profile[i], profile[i + 1]);
             let s = (t - a[0]) / (b[0] - a[0]);
-            // Catmull–Rom through the neighbours keeps the last round.
+            // Catmull–Rom interpolation keeps the last round.
             let before = profile[i.saturating_sub(1)];
             let after = profile[(i + 2).min(profile.len() - 1)];
             let value = |k: usize| {
@@ -130,7 +130,7 @@ impl Foot {
                 p.y -= 0.10 * self.unit * s.max(0.0) * ops::exp(-ops::pow((t - 0.66) / 0.035, 2.0));
                 p.y += 0.12 * self.unit * s.max(0.0) * fade(t, 0.52, 0.49);
             } else {
-                // The rubber cap lies over the toes.
+                // The rubber cap covers the toes.
                 let cap = fade(t, 0.80, 0.83);
                 p.y += 0.16 * self.unit * cap * s.max(0.0);
                 p.x += c.signum() * 0.12 * self.unit * cap;
@@ -214,7 +214,7 @@ fn loft(rings: &[Vec<DVec3>], weights: impl Fn(DVec3) -> Weights) -> Shell {
                 .push(vec![at(i, k), at(i, k + 1), at(i + 1, k + 1), at(i + 1, k)]);
         }
     }
-    // The volume's sign tells which way the rings run.
+    // The sign of the volume gives the direction of the rings.
     let volume: f64 = out
         .faces
         .iter()

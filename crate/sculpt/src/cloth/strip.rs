@@ -1,4 +1,4 @@
-//! Things sewn on cloth: strips along a path, cords, buttons.
+//! Sewn details: strips along a path, cords, buttons.
 
 use raconteur_base::{DVec3, ops};
 
@@ -74,7 +74,7 @@ impl<'a> LayingSurface<'a> {
         );
         let d = spot.place - p;
         let n = spot.normal;
-        // Only the depth gives way.
+        // Only the depth changes.
         let depth = d.dot(n) / if n.z.abs() < 0.15 { 0.15 * sign } else { n.z };
         SurfacePoint {
             place: DVec3::new(p.x, p.y, p.z + depth),

@@ -1,4 +1,4 @@
-//! Clothes of the three named figures: fit, soundness, budgets, and how they bear poses.
+//! Clothes of the three named figures: fit, soundness, budgets and behaviour in poses.
 
 mod throat;
 
@@ -312,7 +312,7 @@ fn no_sheet_has_a_hole_or_a_face_turned_over() {
         let (name, parts) = (m.name, &m.clothes.parts);
         let tops = ["sweater", "cardigan", "hoodie"];
         for part in parts.iter().filter(|p| tops.contains(&p.name.as_str())) {
-            // Charts double the vertices where they meet: places count.
+            // Charts duplicate the vertices where they meet, so positions count.
             let mut places = BTreeMap::new();
             let mut points = Vec::new();
             let of: Vec<u32> = part

@@ -1,5 +1,5 @@
-//! Garments of the upper body with set-in sleeves: close on the shoulders, loose over the
-//! waist, gathered at the elbow and above cuff and hem.
+//! Garments of the upper body with set-in sleeves: close on the shoulders, loose over the waist,
+//! gathered at the elbow and above cuff and hem.
 
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, Side, mirror_vector};
@@ -181,7 +181,7 @@ impl Top {
             // Set in at the shoulder's corner, a ring outside the cage's armhole.
             let ring = (0..=RING).map(|k| Key::Arm(side, 0, k % RING));
             lines.push(self.sheet.line(ring));
-            // The side's seam goes on below the sleeve.
+            // The side seam continues below the sleeve.
             let side_seam = (0..=HOLE.0).map(|r| Key::Trunk(r, column(6)));
             let sleeve = (0..=Cage::arm_ring_at(2.0)).map(|j| Key::Arm(side, j, RING / 2));
             lines.push(self.sheet.line(side_seam.chain(sleeve)));

@@ -83,7 +83,7 @@ pub fn trousers(wearer: &Wearer<'_>, cut: &TrouserCut) -> (Vec<MeshPart>, Shell)
         let band = along_edge(shell, &ring, &edge_band(wearer, cut, is_leg));
         let chart = if is_leg { leg_chart(first.x) } else { 0 };
         parts.push(part_of(&band, &[], cut.fabric.shaded(0.96), &|_| chart));
-        // The waistband's rim would mislead what lies over it.
+        // The waistband's rim would distort the layers above it.
         if is_leg {
             surface.append(band);
         }

@@ -1,4 +1,4 @@
-//! What figures wear, and in which colours.
+//! Garments of figures and their colours.
 
 use serde::{Deserialize, Serialize};
 

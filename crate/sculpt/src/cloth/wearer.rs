@@ -1,4 +1,4 @@
-//! The body that clothes are made for.
+//! Body of a garment's wearer.
 
 use super::neck::Neck;
 use crate::torso::{BodyParams, Cage, Field, Joints};

@@ -1,4 +1,4 @@
-//! Beards: tufts that ride on the skin of jaw, chin and upper lip, clear of the lips.
+//! Beards: tufts on the skin of jaw, chin and upper lip, clear of the lips.
 
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, noise};
@@ -194,7 +194,7 @@ impl Field<'_> {
         let q = self.place(root);
         let on_lip = on_lip(q);
         let thick = self.density(root);
-        // The lips' lining looks backwards.
+        // The lining of the lips faces backwards.
         let in_mouth = q.x.abs() < 33.0 && q.y > LIPS_Y - 16.0 && n.z < 0.25;
         if thick < MIN_DENSITY + 0.3 * dice(1) || in_mouth {
             return None;
@@ -226,11 +226,11 @@ impl Field<'_> {
         let size = self.head.scalp.proportions.size();
         let edge = lerp(0.45, 1.0, slope(0.2, 0.9, thick));
         let mut length = full * (0.65 + 0.55 * dice(8)) * layer.length * edge * size;
-        // No tip hangs over the lips, or it would stand in the open mouth.
+        // No tip hangs over the lips, because it would be in the open mouth.
         let sag = sag(n, self.cut.rise(q));
         let tip = |length: f64| root + (direction + sag) * length;
         if p.density > 1.0 && on_lip && self.cut != BeardCut::Handlebar {
-            // It stands on its own, and may come to the edge of the lip but not over the mouth.
+            // The tuft is isolated, and may reach the edge of the lip but not cover the mouth.
             length = length.min(1.1 * self.to_lips(root) + 0.0035);
         } else {
             while length > MIN_LENGTH_M && self.to_lips(tip(length)) < self.cut.lip_margin() {
@@ -277,7 +277,7 @@ impl BeardInProgress<'_> {
         let base = self.part.vertices.len() as u32;
         // Tufts that differ much would show as flakes.
         let tone = 0.42 + 0.18 * dice(10);
-        // Among many a short tuft as broad as a long one would look like a chip.
+        // In a dense beard, a short tuft as wide as a long one would look like a chip.
         let (narrow, sunk) = if self.density > 1.0 {
             (lerp(0.35, 0.9, slope(0.003, 0.016, length)), 0.0002)
         } else {

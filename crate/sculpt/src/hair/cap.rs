@@ -1,5 +1,5 @@
-//! The under-cap: what is painted onto the scalp below the cards, so that no skin shines through.
-//! Short strokes along the combing, over a ground that is even further inside the line.
+//! Under-cap: paint on the scalp below the cards, so that no skin shines through. It consists of
+//! short strokes along the combing, over a ground even further inside the line.
 
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec2, DVec3, noise, ops};

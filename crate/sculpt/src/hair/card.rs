@@ -1,4 +1,4 @@
-//! Strips of two columns along paths: what is drawn of hair.
+//! Hair cards: strips of two columns along paths.
 
 use raconteur_base::{DVec3, ops};
 
@@ -126,7 +126,7 @@ impl Card {
             let half = 0.5 * laid.width * tapered(laid.taper, t);
             let side = |sign: f64| {
                 let p = middle[i] + across * (sign * half) - facing * (BOW * half);
-                // The root goes into the skin.
+                // The root lies in the skin.
                 if i > 0 { clear(p) } else { p }
             };
             Row {
@@ -229,7 +229,7 @@ pub(super) fn piece(
                 part.vertices.push(PartVertex {
                     position: frame.place_back(p),
                     uv: [u, row.v],
-                    // The root of the share: eight bits tell dark places apart.
+                    // The square root of the share: eight bits then resolve dark areas.
                     color: [r, g, b, row.light.max(0.0).sqrt()],
                     weights: weights.clone(),
                 });

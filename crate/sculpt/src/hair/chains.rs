@@ -1,4 +1,4 @@
-//! Chains of guides by which hair swings: what hangs follows the head as pendulums do.
+//! Guide chains of swinging hair: hanging hair follows the head like pendulums.
 //!
 //! A chain runs down the middle of the hair of its sector. A card that hangs between two chains
 //! follows both; near its root it stays with the scalp.

@@ -1,4 +1,4 @@
-//! Coily hair: patches that lie in the mass, and tufts that stand out of it.
+//! Coily hair: patches inside the mass, and tufts that protrude from it.
 
 use std::f64::consts::TAU;
 

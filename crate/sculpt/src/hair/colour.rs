@@ -1,4 +1,4 @@
-//! Colours of single hairs about the colour of them all.
+//! Colours of single hairs around the common colour.
 
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{noise, ops};

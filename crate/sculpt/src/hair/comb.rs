@@ -1,4 +1,4 @@
-//! The combing field: which way hair rooted at a place wants to go.
+//! Combing field: the direction of hair by its root.
 
 use raconteur_base::curve::{lerp, ramp};
 use raconteur_base::{DVec3, ops};
@@ -87,7 +87,7 @@ impl Field {
             Comb::Whorl => self.whorl(root, at),
             Comb::Tied(tie) => {
                 let to = tie - at;
-                // Hair below the tie goes up to it round the back, not over the cheek.
+                // Hair below the tie goes up to it around the back, not over the cheek.
                 to + stray(self.seed + 3, root, 45.0) * (0.12 * to.length())
             }
             Comb::Coily => stray(self.seed + 3, at, 90.0) + DVec3::splat(1e-3),

@@ -1,4 +1,4 @@
-//! Cuts of beards: where they grow, how long they are and which way they are combed.
+//! Cuts of beards: area, length and combing direction.
 
 use raconteur_base::DVec3;
 use raconteur_base::curve::lerp;

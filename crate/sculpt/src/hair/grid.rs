@@ -1,4 +1,4 @@
-//! Numbers on a regular grid in space, read between its points.
+//! Values on a regular grid in space, interpolated between its points.
 
 use raconteur_base::DVec3;
 

@@ -1,4 +1,4 @@
-//! Grows hair from its root along the combing field.
+//! Growth of hair from its root along the combing field.
 
 use raconteur_base::{DVec3, ops};
 
@@ -52,7 +52,7 @@ pub(super) fn grow(space: &Space, field: &Field, g: &Growth, seed: u64) -> Vec<D
     for k in 1..=count {
         let arc = (k - 1) as f64 * g.step;
         let (n, height) = (space.normal(at), space.height(at));
-        // Far off the head the combing has no hold.
+        // Far from the head, the combing has no effect.
         let near = ops::exp(-(height - g.offset).max(0.0) / 0.02);
         let comb = flat(field.direction(g.root, at, arc), n) * near;
         let w = field.gravity(arc);

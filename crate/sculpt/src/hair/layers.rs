@@ -1,4 +1,4 @@
-//! The layers of cards of each kind of hair, from the skin outward.
+//! Card layers of each kind of hair, from the skin outward.
 
 /// Cards of one height over the scalp.
 #[derive(Clone, Copy, Debug)]
@@ -95,7 +95,7 @@ pub(super) const FALLING: [Layer; 6] = [
         inside: 0.001,
         ..LAYER
     },
-    // Narrow cards cover the rows of roots beside the parting and round the crown.
+    // Narrow cards cover the rows of roots next to the parting and around the crown.
     Layer {
         spacing: 0.0085,
         offset: 0.0105,

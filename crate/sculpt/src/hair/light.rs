@@ -1,9 +1,9 @@
-//! Light within hair, baked: the share of all directions from which light comes to a place through
-//! the hair about it.
+//! Baked light within hair: the share of all directions from which light reaches a point through
+//! the surrounding hair.
 //!
-//! Strands are spread over a grid of densities, and light loses `exp(−optical depth)` on its way
-//! (Beer–Lambert). The renderer takes the direction from the hull's normal: on a bob the part of
-//! the transmittance along it is 1.85 times the mean.
+//! Strands are distributed over a grid of densities, and light loses `exp(−optical depth)` on its
+//! path (Beer–Lambert). The renderer takes the direction from the hull's normal: on a bob, the
+//! transmittance along it is 1.85 times the mean.
 
 use std::f64::consts::TAU;
 

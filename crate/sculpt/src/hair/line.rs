@@ -1,4 +1,4 @@
-//! The hairline: a closed curve on the scalp, and how far inside it a place lies.
+//! Hairline: a closed curve on the scalp, and the distance of a point inside it.
 
 use std::f64::consts::TAU;
 
@@ -128,7 +128,7 @@ pub(super) struct Line {
 
 impl Line {
     pub(super) fn new(p: &HairParams) -> Self {
-        // Who is bald on top has kept a wreath.
+        // A bald crown leaves a wreath of hair.
         let (recession, thinning) = match p.style {
             HairStyle::Balding => (1.0, 1.0),
             _ => (p.recession, p.thinning),

@@ -1,4 +1,4 @@
-//! Hair in locks: cards of every layer, drawn to the guides of their locks, waved and cut.
+//! Locks: cards of every layer, drawn to the guides of their locks, waved and cut.
 
 mod shape;
 
@@ -98,7 +98,7 @@ impl Grower<'_> {
     fn spacing(&self, layer: &Layer, root: &Root) -> f64 {
         let parting = self.field.off_parting(root.position);
         let is_hanging = matches!(self.style.length, Length::Hem { .. });
-        // What is rooted before and below the ear would hang over the cheek.
+        // Hair rooted in front of and below the ear would hang over the cheek.
         let p = root.position;
         let before_ear = is_hanging && p.x.abs() > 0.052 && p.y < 0.004 && p.z > -0.012;
         let is_beyond = layer.parting > 0.0 && parting > layer.parting;
@@ -228,7 +228,7 @@ impl Grower<'_> {
         } else {
             1.0
         };
-        // Very short hair lies closer, or its ends would show as scales.
+        // Very short hair lies closer, because its ends would look like scales.
         let low_lift = if is_short && !self.is_shaved() {
             lerp(0.45, 1.0, step(0.018, 0.04, length))
         } else {

@@ -1,9 +1,9 @@
-//! Hair: guides that grow along a combing field, gather in locks and become narrow cards of
-//! strands in several layers, over a scalp that is painted in the hair's colour.
+//! Hair: guides that grow along a combing field, gather in locks and become narrow cards of strands
+//! in several layers, over a scalp painted in the hair's colour.
 //!
-//! A style is a table of numbers ([`style`]) in a frame in which all heads are alike ([`space`]).
-//! The renderer draws the strands on the cards from an atlas of its own; the light within the hair
-//! is baked here ([`light`]).
+//! A style is a table of numbers ([`style`]) in a normalised frame of the head ([`space`]). The
+//! renderer draws the strands on the cards from its own atlas; the light within the hair is baked
+//! here ([`light`]).
 
 mod beard;
 mod cap;
@@ -207,7 +207,7 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
             HairStyle::Braid => cards.extend(grower.plait()),
             _ => {}
         }
-        // Drawn from the scalp outwards.
+        // The cards are rendered from the scalp outwards.
         cards.sort_by_key(|c| c.layer);
         let shade = Shade::new(&space, &cards);
         light::bake(&shade, &mut cards);

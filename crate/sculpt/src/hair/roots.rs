@@ -1,4 +1,4 @@
-//! Roots spread over the scalp, none nearer to another than its layer allows.
+//! Roots spread over the scalp, with the minimum distance of their layer.
 
 use std::collections::BTreeMap;
 

@@ -1,8 +1,8 @@
-//! The room that hair has: how far every place is from skin and clothes.
+//! Space of hair: distances from skin and clothes.
 //!
-//! Hair is described in a frame of its own: origin between the eyes' height plus 22 mm and the
-//! middle of the skull, turned so that the skull is level, in metres of a head whose eyes lie
-//! 107 mm under the vertex. In it one table of numbers fits every head.
+//! Hair is described in its own frame: origin between the eyes' height plus 22 mm and the middle of
+//! the skull, turned so that the skull is level, in metres of a head whose eyes are 107 mm below
+//! the vertex. In this frame, one table of numbers fits every head.
 
 use raconteur_base::curve::ramp;
 use raconteur_base::{DMat3, DVec3};

@@ -1,4 +1,4 @@
-//! The styles: tables of numbers in the frame of hair, metres and radians.
+//! Hair styles: tables of numbers in the frame of hair, metres and radians.
 
 use raconteur_base::DVec3;
 

@@ -1,4 +1,4 @@
-//! What hangs or is wound where hair is tied.
+//! Tied hair: hanging tails and wound buns.
 
 use std::f64::consts::TAU;
 

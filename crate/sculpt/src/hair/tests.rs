@@ -1,4 +1,4 @@
-//! What must hold for every style.
+//! Invariants of every style.
 
 use std::sync::OnceLock;
 
@@ -136,7 +136,7 @@ fn hair_keeps_clear_of_the_skin() {
 fn the_scalp_is_covered_from_all_sides() {
     /// Distance within which a card covers a position, metres.
     const COVERED_M: f64 = 0.022;
-    // From every place well inside the line some card lies above, within what a style is thick.
+    // Above every point well inside the line there is a card, within the thickness of a style.
     for w in worn().iter().filter(|w| w.style != HairStyle::Bald) {
         let space = w.space;
         let line = Line::new(&HairParams {
@@ -214,7 +214,7 @@ fn beards_leave_the_lips_free() {
                 .fold(f64::MAX, f64::min);
             assert!(row[0].uv[1] > 0.0 || lip > 5e-4, "{lip}");
         }
-        // It opens with the jaw: what hangs on the chin moves with it.
+        // The beard opens with the jaw: parts on the chin move with it.
         let jaw = |v: &PartVertex| {
             let chin = Drive::Bone(Bone::Chin);
             v.weights

@@ -1,11 +1,11 @@
 //! Joints, bone lengths and cross-sections of the mean adult hand.
 //!
-//! Frame of this folder, unless said otherwise: right hand, millimetres, x radial (towards
-//! the thumb), y distal (towards the fingertips), z palmar, wrist joint at the origin. The
-//! fingers lie straight and a little splayed, so that their surfaces do not merge.
+//! Frame of this folder, unless specified otherwise: right hand, millimetres, x radial (towards the
+//! thumb), y distal (towards the fingertips), z palmar, wrist joint at the origin. The fingers are
+//! straight and slightly splayed, so that their surfaces do not merge.
 //!
-//! Bone lengths after Buryanov and Kotiuk 2010, "Proportions of hand segments" (Int. J.
-//! Morphol. 28(3), 755–758); cross-sections are chosen by eye.
+//! Bone lengths after Buryanov and Kotiuk 2010, "Proportions of hand segments" (Int. J. Morphol.
+//! 28(3), 755–758); cross-sections are chosen by eye.
 
 use raconteur_base::{DMat3, DVec3, curve};
 

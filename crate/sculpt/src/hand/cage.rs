@@ -1,8 +1,8 @@
-//! The coarse quad cage: topology, and positions good enough for projection.
+//! Coarse quad cage: topology, and positions sufficient for projection.
 //!
-//! A sleeve of 20 columns runs from the forearm to just beyond the knuckles. Fingers are
-//! tubes of 8 columns; the side columns of neighbouring fingers start in one shared web
-//! vertex. The thumb grows out of a hole of 2 × 2 faces in the radial side.
+//! A sleeve of 20 columns runs from the forearm to just beyond the knuckles. Fingers are tubes of 8
+//! columns; the side columns of adjacent fingers start in one shared web vertex. The thumb grows
+//! out of a hole of 2 × 2 faces in the radial side.
 
 use raconteur_base::{DVec3, ops};
 

@@ -1,6 +1,6 @@
-//! Where the hand's skin lies in the skin's atlas: back and palm of the hand flattened as a
-//! whole, each finger's back and inner side unrolled; cut along the sides and the roots of
-//! the fingers. All of it follows from the mean adult hand, so one picture fits every hand.
+//! Hand charts in the skin atlas: back and palm of the hand flattened as a whole, each finger's
+//! back and inner side unrolled; cut along the sides and the roots of the fingers. All of it
+//! follows from the mean adult hand, so one texture fits every hand.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -87,7 +87,7 @@ fn pieces(anatomy: &Anatomy, skin: &Skin) -> Vec<Piece> {
                 .sum::<DVec3>()
                 / n;
             match (0..FINGER_COUNT).find(|&f| mean(f) > 0.75) {
-                // On a finger the angle around its axis decides: pieces cannot meet behind.
+                // On a finger, the angle around its axis decides: pieces cannot meet behind.
                 Some(f) => (f, usize::from(anatomy.fingers[f].local(middle).z > 0.0)),
                 None => {
                     let palm = face.iter().map(|&v| side[v as usize]).sum::<f64>() > 0.0;
@@ -173,7 +173,7 @@ fn make(anatomy: &Anatomy, skin: &Skin) -> Chart {
         source: (0..n as u32).collect(),
         uv: Vec::new(),
     };
-    // The first piece that has a vertex keeps it, the others take copies.
+    // The first piece with a vertex owns it, the others use copies.
     let mut owner: Vec<Option<Piece>> = vec![None; n];
     let mut twin: BTreeMap<(u32, Piece), u32> = BTreeMap::new();
     for (face, &own) in chart.faces.iter_mut().zip(&piece) {
@@ -205,7 +205,7 @@ fn make(anatomy: &Anatomy, skin: &Skin) -> Chart {
             }
         }
     }
-    // Skin that is pressed in under a nail or bulges at a root would lie over its neighbour.
+    // Skin pressed in under a nail or bulging at a root would cover its neighbour.
     let triangles: Vec<[u32; 3]> = chart
         .faces
         .iter()
@@ -242,18 +242,19 @@ fn unroll(
         .into_iter()
         .map(|v| {
             let p = finger.local(skin.positions[source[v as usize] as usize]);
-            // Fingers are thicker to the palm: the axis of angles lies half-way.
+            // Fingers are thicker on the palm side, so the axis of angles is halfway.
             let turn = ops::atan2(p.x, towards * p.z + 0.15 * radius);
             let around = (p.x * p.x + p.z * p.z).sqrt();
             let (wide, along) = if p.y <= from {
                 (around, p.y)
             } else {
-                // By the length alone: skin that is pressed in under a nail must not fold.
+                // Latitude depends on the length alone, because skin pressed in under a nail must
+                // not fold.
                 let latitude = ops::asin(((p.y - from) / reach).clamp(0.0, 1.0));
                 (radius * ops::cos(latitude), from + 1.15 * radius * latitude)
             };
-            // +x is radial; seen from outside it lies left on the back, right on the palm,
-            // of a right hand with its fingers up.
+            // +x is radial; seen from outside, it is left on the back and right on the palm of a
+            // right hand with its fingers up.
             (v, DVec2::new(towards * turn * wide, along))
         })
         .collect();
@@ -286,7 +287,7 @@ fn unwrap(skin: &Skin, source: &[u32], faces: &[&Vec<u32>], side: usize) -> Vec<
         .iter()
         .flat_map(|f| f[1..].windows(2).map(|w| [f[0], w[0], w[1]].map(slot)))
         .collect();
-    // Held: two vertices along the middle of the hand.
+    // Two fixed vertices along the middle of the hand.
     let turn = if side == 1 { 1.0 } else { -1.0 };
     let flat = |p: DVec3| DVec2::new(turn * p.x, p.y);
     let nearest = |x: f64, y: f64| {
@@ -297,7 +298,7 @@ fn unwrap(skin: &Skin, source: &[u32], faces: &[&Vec<u32>], side: usize) -> Vec<
     };
     let held = [nearest(0.0, 0.0), nearest(-5.0, 78.0)].map(|i| (i as u32, flat(positions[i])));
     let laid = conformal(&triangles, &positions, held);
-    // The forearm below the wrist is drawn together.
+    // The forearm below the wrist is compressed.
     let squeezed: Vec<DVec2> = laid
         .iter()
         .map(|p| {

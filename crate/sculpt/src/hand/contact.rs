@@ -1,9 +1,9 @@
-//! Tests of hand shapes: fingers touch where they should and do not pass through each other.
+//! Tests of hand shapes: fingers have their intended contacts and do not pass through each other.
 //!
-//! Every phalanx is sampled at eight places; there it is the ellipse of its section (see
-//! [`super::anatomy`]), swept a little along the bone. Two samples enter each other by the
-//! sum of their radii towards each other less the distance of their centres. Neighbours are
-//! compared beyond the web, segments of one finger from one and a quarter bone lengths on.
+//! Every phalanx is sampled at eight points; there it is the ellipse of its section (see
+//! [`super::anatomy`]), swept slightly along the bone. The penetration of two samples is the sum of
+//! their radii towards each other minus the distance of their centres. Neighbours are compared
+//! beyond the web, segments of one finger from one and a quarter bone lengths on.
 
 use raconteur_base::{DAffine3, DVec3, Side, ops};
 

@@ -1,6 +1,6 @@
-//! The hand's shape as an approximate signed distance: a smooth union of anatomical
-//! solids, negative inside. The cage gives only the topology; its vertices are moved onto
-//! the zero set of this field.
+//! Shape of the hand as an approximate signed distance: a smooth union of anatomical solids,
+//! negative inside. The cage gives only the topology; its vertices are moved onto the zero set of
+//! this field.
 
 use raconteur_base::{DMat3, DVec3, ops};
 

@@ -1,26 +1,25 @@
 //! The hand: skin with the end of the forearm, five nails, weights and colours.
 //!
-//! The coarse quad cage gives the topology only; an analytic field gives the shape. The
-//! cage is subdivided once and projected onto the field, relief follows along the normal.
-//! A hand of the mean adult's size, with the marks of sex and age, is built in millimetres
-//! and scaled to length and breadth.
+//! The coarse quad cage gives only the topology; an analytic field gives the shape. The cage is
+//! subdivided once and projected onto the field; relief follows along the normal. A hand of the
+//! mean adult's size, with the marks of sex and age, is built in millimetres and scaled to length
+//! and breadth.
 //!
 //! # For the assembly
 //!
-//! **Hand frame.** Positions are metres from the wrist joint. The axes are the world's
-//! while the wrist is in the zero pose: y up from the back of the hand, z to the thumb's
-//! side (front), x to the character's left; so the left fingers run along +x and the right
-//! ones along −x. For a wrist bone with bind orientation `b` (world from bone), place the
-//! hand by the rotation `b * zero_frames()[wrist].inverse()` and the translation to the
-//! wrist's bind position.
+//! **Hand frame.** Positions are metres from the wrist joint. The axes are the world's while the
+//! wrist is in the zero pose: y up from the back of the hand, z to the thumb's side (front), x to
+//! the character's left; so the left fingers run along +x and the right ones along −x. For a wrist
+//! bone with bind orientation `b` (world from bone), place the hand by the rotation `b *
+//! zero_frames()[wrist].inverse()` and the translation to the wrist's bind position.
 //!
-//! **Bind pose.** The fingers lie straight and splayed, the thumb as in table A.1:
-//! [`BIND_ANGLES`]. `BIND_ANGLES.rotations(side)` are the local rotations of the finger
-//! bones, for a [`raconteur_body::Pose`]; [`Hand::bind_in_wrist`] gives the same orientations as
-//! wrist bone from finger bone, so that `bind_rotations[bone] = b * bind_in_wrist`.
+//! **Bind pose.** The fingers are straight and splayed, the thumb as in table A.1: [`BIND_ANGLES`].
+//! `BIND_ANGLES.rotations(side)` are the local rotations of the finger bones, for a
+//! [`raconteur_body::Pose`]; [`Hand::bind_in_wrist`] gives the same orientations as wrist bone from
+//! finger bone, so that `bind_rotations[bone] = b * bind_in_wrist`.
 //!
-//! **Rim.** The skin is open on the forearm: [`Hand::wrist_rim`] lists the vertices of the
-//! first part in order around it. They lie in a plane square to [`Hand::forearm_direction`].
+//! **Rim.** The skin is open on the forearm: [`Hand::wrist_rim`] lists the vertices of the first
+//! part in order around it. They lie in a plane perpendicular to [`Hand::forearm_direction`].
 
 mod anatomy;
 mod cage;

@@ -1,5 +1,5 @@
-//! Finger nails: the outline on the skin, and the plate, a shell of its own that is rigid
-//! to the last bone.
+//! Fingernails: the outline on the skin, and the plate, a separate shell that is rigid to the last
+//! bone.
 
 use raconteur_base::{DVec3, curve, ops};
 
@@ -93,7 +93,7 @@ pub(super) fn plate(finger: &Finger, f: usize, free_mm: f64) -> Plate {
     let mut local = Vec::new();
     let mut parameters = Vec::new();
     for j in 0..=ALONG {
-        // Rows crowd at the free edge, whose outline is seen.
+        // Rows are denser at the free edge, whose outline is visible.
         let v = 1.0 - ops::pow(1.0 - j as f64 / ALONG as f64, 1.25);
         for i in 0..=ACROSS {
             // Columns crowd at the sides, where the section curves most.
@@ -127,7 +127,7 @@ pub(super) fn plate(finger: &Finger, f: usize, free_mm: f64) -> Plate {
     let mut faces = Vec::new();
     for j in 0..ALONG {
         for i in 0..ACROSS {
-            // Lateral × along is palmar, so the dorsal side runs the other way round.
+            // Lateral × along is palmar, so the dorsal side has the opposite winding.
             faces.push(vec![
                 index(i, j),
                 index(i, j + 1),

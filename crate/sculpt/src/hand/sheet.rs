@@ -1,4 +1,4 @@
-//! What the skin's baking wants to know of the hand: regions, creases, slack lines, veins.
+//! Hand data for the skin's baking: regions, creases, slack lines, veins.
 
 use raconteur_base::{DVec3, curve, noise, ops};
 

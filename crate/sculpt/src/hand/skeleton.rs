@@ -1,6 +1,6 @@
-//! The 27 bones inside a hand, fitted to its joints. Wrist to fingertip they follow the
-//! bone lengths of `super::anatomy`; widths are designed after plain anatomy (a phalanx is
-//! broad at its base, waisted, and ends in a head), and stay inside the hand's field.
+//! The 27 bones inside a hand, fitted to its joints. From wrist to fingertip they follow the bone
+//! lengths of `super::anatomy`; widths are designed after plain anatomy (a phalanx is broad at its
+//! base, waisted, and ends in a head), and stay inside the hand's field.
 
 use raconteur_base::{DMat3, DVec3, Side};
 

@@ -1,4 +1,4 @@
-//! The skin: the subdivided cage on the field, evened out, with relief.
+//! Hand skin: the subdivided cage on the field, smoothed, with relief.
 
 use raconteur_base::{DVec3, curve, ops};
 
@@ -74,7 +74,7 @@ pub(super) fn build(anatomy: &Anatomy, field: &Field<'_>, cage: &Cage) -> Skin {
     for p in &mut positions {
         *p = field.project(*p, 6, 0.7);
     }
-    // Fingers keep the cage's rings; palm, webs and the base of the thumb are evened out.
+    // Fingers keep the cage's rings; palm, webs and the base of the thumb are smoothed.
     let thumb = &anatomy.fingers[0];
     let looseness: Vec<f64> = (0..positions.len())
         .map(|i| {
@@ -177,7 +177,7 @@ fn relief(anatomy: &Anatomy, p: DVec3, normal: DVec3, ownership: &[f64; FINGER_C
         let palmar = curve::smooth((local.z / section.palmar + 0.25) / 0.6) * m;
         for (k, strength) in [(1, 1.0), (2, 0.6)] {
             let d = local.y - joints[k];
-            // Slack skin lies in folds over the bent side and sinks on the inner one.
+            // Slack skin forms folds over the bent side and sinks on the inner one.
             let folds = bell((d - 3.6) / 0.9) + bell((d + 3.6) / 0.9);
             h += dorsal * strength * 0.3 * bell(d / 4.5)
                 - dorsal * strength * look.creases * (0.16 * bell(d / 0.9) + 0.14 * folds);

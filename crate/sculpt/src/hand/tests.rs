@@ -156,7 +156,7 @@ fn length_breadth_and_detail_are_as_asked() {
         .iter()
         .map(|v| v.position.x)
         .fold(0.0, f64::max);
-    // The wrist's crease lies 8 of 189 parts of the hand behind the joint.
+    // The wrist's crease is 8 of 189 parts of the hand behind the joint.
     assert!(
         (tip * (1.0 + 8.0 / 181.0) / params.length_m - 1.0).abs() < 0.02,
         "{tip}"
@@ -470,7 +470,7 @@ fn sex_and_age_show() {
         width(0.0, 75.0, 1.0) > width(0.0, 35.0, 1.0) * 1.04,
         "the old hand is wider"
     );
-    // A child's finger tapers; its joints do not stand out.
+    // A child's finger tapers; its joints do not protrude.
     let knot = |age: f64| width(0.5, age, 1.0) / width(0.5, age, 1.4);
     assert!(
         knot(9.0) < knot(35.0) && knot(35.0) < knot(75.0),

@@ -1,8 +1,8 @@
-//! Which joints a vertex follows.
+//! Joint weights of a vertex.
 //!
-//! Linear blending with half joints: at each joint a helper turns half the angle, and the
-//! weight goes parent → half → child, which keeps the dorsal radius of a bent joint at
-//! 0.96 of its rest value, against 0.63 without the helpers.
+//! Linear blending with half joints: at each joint, a helper turns half the angle, and the weight
+//! goes parent → half → child, which keeps the dorsal radius of a bent joint at 0.96 of its rest
+//! value, compared with 0.63 without the helpers.
 
 use raconteur_base::{DVec3, Side, curve};
 
@@ -160,7 +160,7 @@ fn joints_passed(anatomy: &Anatomy, f: usize, p: DVec3) -> [f64; 3] {
     let joints = finger.joints();
     let s = local.y;
     if f == 0 {
-        // The blend with the palm stands in for the saddle joint's own zone.
+        // The blend with the palm replaces the saddle joint's own zone.
         return [
             1.0,
             passed(s, joints[1], 9.0, 9.0),
@@ -168,7 +168,7 @@ fn joints_passed(anatomy: &Anatomy, f: usize, p: DVec3) -> [f64; 3] {
         ];
     }
     let height = (local.z / finger.section(s).palmar).clamp(-1.0, 1.0);
-    // On the palm side the fold lies further out than the knuckle.
+    // On the palm side, the fold is further distal than the knuckle.
     let palmar = curve::smooth(0.5 + 0.5 * height);
     let g = finger.girth;
     [
@@ -193,10 +193,10 @@ pub(super) fn weights(
         .zip(&thumb_shares)
         .map(|((&p, owned), &thumb)| {
             let mut row = [0.0; COUNT];
-            // The forearm's skin twists in proportion to the way from elbow to wrist. The
-            // helpers stand for thirds, so beyond the second third part of the weight goes
-            // to the wrist: little, because the wrist also bends. The half joint keeps the
-            // thickness of a bent wrist, but lags behind in twist and gets half its share.
+            // The forearm's skin twists in proportion to the distance from elbow to wrist. The
+            // helpers represent thirds, so beyond the second third, part of the weight goes to the
+            // wrist: little, because the wrist also bends. The half joint preserves the thickness
+            // of a bent wrist, but lags behind in twist and receives half its share.
             let u = passed(p.y, 0.0, 16.0, 14.0);
             let half = 0.5 * (1.0 - (2.0 * u - 1.0).abs());
             let hand = u - half / 2.0;

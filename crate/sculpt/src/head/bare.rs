@@ -1,4 +1,4 @@
-//! The skin of a head alone.
+//! Skin of a head alone.
 
 use raconteur_base::DVec3;
 

@@ -1,5 +1,5 @@
-//! The head as a proxy of the body model: where the cage's vertices lie on the model's
-//! surface, found once on its mean head, and so on every person of it.
+//! Head as a proxy of the body model: the positions of the cage's vertices on the model's surface,
+//! determined once on its mean head, and therefore for every person of it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;

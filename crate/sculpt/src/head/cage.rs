@@ -1,11 +1,10 @@
-//! The cage's topology: a grid over the head with concentric rings about eyes, mouth,
-//! nostrils and ears, half of it mirrored.
+//! Topology of the cage: a grid over the head with concentric rings about eyes, mouth, nostrils and
+//! ears, half of it mirrored.
 //!
-//! The base grid has 21 columns (0 on the front midline, 20 on the back midline) and 32
-//! rows (0 near the hairline, 31 at the neck's base). Rectangular holes are filled with
-//! rings whose ring 0 is the hole's own border, so that every inner corner of a hole
-//! becomes a pole of five edges where a modeller would put it. The crown is a patch
-//! folded onto row 0.
+//! The base grid has 21 columns (0 on the front midline, 20 on the back midline) and 32 rows (0
+//! near the hairline, 31 at the neck's base). Rectangular holes are filled with rings whose ring 0
+//! is the hole's own border, so that every inner corner of a hole becomes a pole of five edges at a
+//! usual modelling position. The crown is a patch folded onto row 0.
 
 use std::collections::BTreeMap;
 

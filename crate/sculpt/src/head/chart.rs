@@ -1,11 +1,11 @@
-//! Where the head's skin lies in the skin's atlas, and the mean head that gives every vertex
-//! a place which is the same on all people.
+//! Head charts in the skin atlas, and the mean head that gives every vertex the same position on
+//! all people.
 //!
-//! The skin is cut along the back's midline from the neck's rim over the nape to the crown,
-//! so that the seam lies under hair, and laid onto a rectangle: the face in the middle, chin
-//! down. The map is harmonic, therefore without overlap; then rows and columns are spread so
-//! that the face gets most texels. Ears are laid into their own hole ring by ring. All of it
-//! follows from the cage and the mean head, so one picture fits every head.
+//! The skin is cut along the back's midline from the neck's rim over the nape to the crown, so that
+//! the seam lies under hair, and mapped to a rectangle: the face in the middle, chin down. The map
+//! is harmonic, therefore without overlap; then rows and columns are spread so that the face
+//! receives most texels. Ears are mapped to their own hole ring by ring. All of it follows from the
+//! cage and the mean head, so one texture fits every head.
 
 use std::sync::OnceLock;
 
@@ -154,7 +154,7 @@ fn make() -> Chart {
     let solved = mean::solved(&cage);
     let surface = Surface::new(&cage);
 
-    // Vertices on the cut stand once for each half.
+    // Vertices on the cut occur once for each half.
     let mut open = cage.clone();
     let mut source: Vec<u32> = (0..cage.len() as u32).collect();
     let mut twin = vec![u32::MAX; cage.len()];
@@ -388,7 +388,7 @@ impl Net<'_> {
         else {
             return;
         };
-        // Rows and columns were spread: the border's own middle sees all of it.
+        // After the spreading of rows and columns, the whole border is visible from its own centre.
         let border: Vec<DVec2> = border.iter().map(|&v| flat[v as usize]).collect();
         let middle = border.iter().sum::<DVec2>() / border.len() as f64;
         for (r, share) in (0u8..).zip(EAR_RINGS).skip(1) {
@@ -412,7 +412,7 @@ fn flattened(
     let faces: Vec<Vec<u32>> = kept.map(|(f, _)| f.clone()).collect();
     let mut tension = vec![1.0; positions.len()];
     let (mut flat, mut holes) = harmonic(&faces, positions, held, bridges, &tension);
-    // Nose and lips stand out of the face and would get too few texels.
+    // Nose and lips protrude from the face and would receive too few texels.
     let front: Vec<f64> = positions
         .iter()
         .map(|p| curve::smooth((p.z - FRONT_MM[0]) / (FRONT_MM[1] - FRONT_MM[0])))

@@ -1,8 +1,8 @@
-//! Relief of the ear: the body model's is a shallow bowl; cartilage stands out of it and falls in.
+//! Relief of the ear: the body model's ear is a shallow bowl; cartilage adds ridges and hollows.
 //!
-//! The auricle's parts after Gray's Anatomy: helix, scapha, antihelix with its two crura
-//! about the triangular fossa, concha, tragus, antitragus and lobule. Depths are *designed*, about
-//! what section drawings show.
+//! The auricle's parts after Gray's Anatomy: helix, scapha, antihelix with its two crura about the
+//! triangular fossa, concha, tragus, antitragus and lobule. Depths are *designed*, about those of
+//! section drawings.
 
 use raconteur_base::DVec3;
 
@@ -20,7 +20,7 @@ type Part = ([u8; 2], [u8; 2], [f64; 3]);
 /// back (9) to the lobule (14) and up before the tragus (17, 0).
 #[rustfmt::skip]
 const PARTS: [Part; 20] = [
-    // The helix rolls over: its crest stands out, its inner edge overhangs the scapha.
+    // The helix rolls over: its crest protrudes, its inner edge overhangs the scapha.
     ([4, 4], [3, 11], [0.9, 0.0, 0.0]),
     ([5, 5], [3, 11], [1.2, -0.5, 0.0]),
     // Scapha, down to the lobule.

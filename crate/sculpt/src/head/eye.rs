@@ -109,10 +109,10 @@ pub(crate) fn eye(
     let letter = if side == Side::Left { "left" } else { "right" };
     let even =
         |n: usize, last: f64| -> Vec<f64> { (1..=n).map(|i| last * i as f64 / n as f64).collect() };
-    // Beyond 115° the ball is never seen, whatever the gaze.
+    // Beyond 115°, the ball is never visible, for any gaze.
     let ball = dome(&even(16, 2.0), |_| GLOBE_RADIUS_MM - 0.12);
     let wet = dome(&even(12, 1.25), |a| cornea_radius(a).max(GLOBE_RADIUS_MM));
-    // Flattened ball in the inner corner, seen from the front only.
+    // Flattened ball in the inner corner, visible from the front only.
     let mut flesh = dome(&even(6, 2.2), |_| 1.0);
     let size = DVec3::new(1.9, 1.0, 0.9);
     for p in &mut flesh.points {

@@ -1,5 +1,5 @@
-//! Local fields: soft pulls on the places of a head that move one small thing about it, and nothing
-//! else. The body model has no targets for them; they vary by themselves from face to face.
+//! Local fields: soft displacements of a head that move one small feature and nothing else. The
+//! body model has no targets for them; they vary independently between faces.
 
 use raconteur_base::Side::{Left, Right};
 use raconteur_base::{DVec3, Side, mirror_vector, ops};

@@ -1,5 +1,5 @@
-//! A bound head made fit to move: lids on an eyeball of life size, lips that meet, the lining
-//! of lids, mouth and nostrils, and the neck below it.
+//! Adaptation of a bound head for motion: lids on an eyeball of life size, lips that meet, the
+//! lining of lids, mouth and nostrils, and the neck below it.
 
 use raconteur_base::{DQuat, DVec3, Side};
 
@@ -195,7 +195,7 @@ fn lips(points: &mut Points) {
         let before: [DVec3; 13] = ring(points, |k| Key::mouth(r, k));
         let mut own = before;
         for (k, p) in own.iter_mut().enumerate() {
-            // They meet face to face: as far to the front as the other.
+            // The lips meet at the same depth: each as far forward as the other.
             let ahead = before[12 - k].z - before[k].z;
             let gap = (line[12 - k] - line[k]).with_z(ahead);
             *p += gap * (0.5 * share);
@@ -246,7 +246,7 @@ pub(super) fn sway(bound: &ModelHeadShape, key: Key, side: Side) -> DVec3 {
     let at = |key| bound.asymmetry(key, side);
     match key {
         Key::Eye(ring, _) => at(key) * EYE_SWAYS[usize::from(ring)],
-        // Lips that meet, meet.
+        // Lip positions that meet are merged.
         Key::Mouth(ring @ 2.., k) => {
             let (k, other) = (usize::from(k), 12 - usize::from(k));
             let ring = ring.min(5);

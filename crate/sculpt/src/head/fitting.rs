@@ -1,4 +1,4 @@
-//! Fits a person of the body model to statistics: details of the face that bring its measures to
+//! Fitting of a person of the body model to statistics: face details that bring its measures to the
 //! wanted ones.
 
 use std::collections::BTreeMap;
@@ -126,8 +126,8 @@ impl Fitting<'_> {
                 effect[(t, d)] = (there[t] - now[t]) / step;
             }
         }
-        // Least change of x for effect · x = missing, softly: x = Eᵀ (E Eᵀ + s I)⁻¹ (missing −
-        // E pull) + pull, where the pull leads back to the person's own amounts.
+        // Least change of x for effect · x = missing, softly: x = Eᵀ (E Eᵀ + s I)⁻¹ (missing − E
+        // pull) + pull, where the pull leads back to the person's own amounts.
         let pull: Vec<f64> = own.iter().zip(&amounts).map(|(a, b)| a - b).collect();
         let share = STAY * STAY;
         let square = &effect * effect.transpose();
@@ -176,7 +176,7 @@ pub fn fit_measures(
         after,
         wanted: t.wanted,
     });
-    // A hundredth of a detail is nothing that anyone sees.
+    // A hundredth of a detail is invisible.
     let mut rounded = fitted.clone();
     for amount in rounded.details.values_mut() {
         *amount = (*amount * 1e3).round() / 1e3;

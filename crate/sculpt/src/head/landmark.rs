@@ -1,8 +1,8 @@
-//! Named points of head and face on the drawn surface.
+//! Named points of head and face on the rendered surface.
 //!
-//! Names after Farkas 1994 and Kolar & Salter 1997; paired ones end in `_l` and `_r`. Most
-//! are vertices of the cage, whose limit positions are drawn vertices of every head; those
-//! defined as an extreme are sought.
+//! Names after Farkas 1994 and Kolar & Salter 1997; paired ones end in `_l` and `_r`. Most are
+//! vertices of the cage, whose limit positions are rendered vertices of every head; those defined
+//! as an extreme are searched.
 
 use raconteur_base::{DVec3, Side};
 

@@ -1,4 +1,4 @@
-//! Linings that follow from their rims: of lids, mouth and nostrils.
+//! Linings derived from their rims: of lids, mouth and nostrils.
 
 use raconteur_base::{DVec3, ops};
 
@@ -99,8 +99,8 @@ pub(super) fn nostril(all: &mut Points) {
     let reach = all[&Key::Grid(0, 11)].z - all[&Key::Grid(0, 15)].z;
     let rise = (reach / MEAN_PROTRUSION_MM).clamp(0.6, 1.1);
     let way = DVec3::new(0.05, 0.92, 0.25);
-    // Its rim rolls in less still, so that the lining has room behind it.
-    // It goes in nearly square to the rim, which stands aslant where the wings are raised.
+    // Its rim rolls in less, so that the lining has room behind it. It enters nearly perpendicular
+    // to the rim, which is oblique where the wings are raised.
     let inward = normal * normal.dot(way).signum();
     let (up, deeper) = (
         inward.lerp(way, 0.3) * (rise * rise),

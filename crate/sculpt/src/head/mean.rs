@@ -1,5 +1,5 @@
-//! The mean adult head. Muscles, maps of the skin and morphs are laid out on it, and carried to
-//! a person's by points that both have.
+//! Mean adult head. Muscles, maps of the skin and morph targets are laid out on it, and transferred
+//! to a person's head by common points.
 
 use std::sync::OnceLock;
 

@@ -1,4 +1,4 @@
-//! Measures of head and face: what each is, how it is taken, and its statistics.
+//! Measures of head and face: definition, measurement and statistics.
 
 use raconteur_base::DVec3;
 

@@ -1,10 +1,10 @@
-//! The head: skin, eyes, mouth, brows and lashes of one person, with face morphs.
+//! The head: skin, eyes, mouth, brows and lashes of one person, with face morph targets.
 //!
-//! A ring-structured cage is solved so that its limit surface passes through named points;
-//! weights, colours and morphs are given on the cage and follow to the drawn surface.
+//! A ring-structured cage is solved so that its limit surface passes through named points; weights,
+//! colours and morph targets are specified on the cage and transferred to the rendered surface.
 //!
-//! Frame of the head: origin between the tragions, x left, y up, z front; metres outside
-//! this module, millimetres inside it.
+//! Frame of the head: origin between the tragions, x left, y up, z front; metres outside this
+//! module, millimetres inside it.
 
 mod bare;
 mod binding;
@@ -277,12 +277,12 @@ impl Shape {
         } else {
             Side::Left
         };
-        // Occlusion that comes from lips and lids touching at rest must not stay.
-        // So with the upper lid, which is folded away while the eye is open.
+        // The occlusion of touching lips and lids at rest must not remain when they open. The same
+        // applies to the upper lid, which is folded away while the eye is open.
         let lid = 0.78 * rig::smooth(1.6, 3.2, c.eye) * c.eye_upper.max(0.0);
         let least = 0.55 * rig::smooth(2.8, 3.6, c.mouth).max(rig::smooth(4.6, 5.2, c.eye));
-        // Light that comes back from the skin around, where the mesh is too coarse to tell a fold
-        // from a pit.
+        // Light reflected from the surrounding skin, where the mesh is too coarse to distinguish a
+        // fold from a pit.
         let skin = c.nostril < 0.5 && c.mouth < 3.0 && c.ear < 6.0;
         let least = least.max(lid).max(if skin { 0.3 } else { 0.0 });
         let deep = 1.0 - 0.8 * rig::smooth(5.0, 7.5, c.mouth);

@@ -1,8 +1,8 @@
-//! Face morphs: handles on named points of the cage move, the rest follows by the same
-//! fairness that shaped the head, solved for displacements.
+//! Face morph targets: handles on named points of the cage move, and the rest follows by the same
+//! fairness as in the head's shape, solved for displacements.
 //!
-//! Names follow ARKit's blend shapes where one fits. Amounts are anatomical estimates for
-//! a woman's face, chosen by eye; millimetres.
+//! Names follow ARKit's blend shapes where one fits. Amounts are anatomical estimates for a woman's
+//! face, chosen by eye; millimetres.
 
 use raconteur_base::{DMat3, DQuat, DVec3, Side, mirror_vector};
 
@@ -234,7 +234,7 @@ impl Spread<'_> {
                     hard[i] = Some(d);
                     (20.0, d)
                 }
-                // The bag follows less the deeper it lies.
+                // The bag follows less with growing depth.
                 Some((ring, k)) => {
                     let d = lips(5, k, side, p) * [0.8, 0.35, 0.0][usize::from(ring - 6).min(2)];
                     hard[i] = Some(d);
@@ -387,7 +387,7 @@ fn raise_lower_margin(cage: &Cage, solved: &Solved, deltas: &mut [DVec3]) {
         let middle = 1.0 - ((k as f64 - 12.0) / 4.0) * ((k as f64 - 12.0) / 4.0);
         for (ring, share) in [(3, 0.8), (4, 0.95), (5, 1.0), (6, 1.0), (7, 0.9)] {
             let i = cage.vertex(Key::eye(ring, k), Side::Left);
-            // Below the globe's equator the surface comes forward as it rises.
+            // Below the globe's equator, the surface moves forward as it rises.
             let forward = if solved.cage_points[i].z > 0.0 {
                 0.42
             } else {

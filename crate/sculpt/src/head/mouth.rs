@@ -1,7 +1,7 @@
-//! Inside the mouth: two rows of teeth on gums, and the tongue.
+//! Mouth interior: two rows of teeth on gums, and the tongue.
 //!
-//! Widths and heights of the crowns after the means in Ash and Nelson, Wheeler's Dental
-//! Anatomy (*paper*, rounded); the arches are ellipses chosen by eye.
+//! Widths and heights of the crowns after the means in Ash and Nelson, Wheeler's Dental Anatomy
+//! (*paper*, rounded); the arches are ellipses chosen by eye.
 
 use core::f64::consts::TAU;
 
@@ -175,7 +175,7 @@ fn tooth(part: &mut MeshPart, arch: &Arch, (crown, back): (Crown, f64), middle: 
             let [r, g, b] = [0, 1, 2].map(|i| {
                 let own = 1.0 + (CANINE[i] - 1.0) * canine;
                 let along = (1.0 + (NECK[i] - 1.0) * neck) * (1.0 + (EDGE[i] - 1.0) * tip);
-                // What light comes so far back has been on red flesh.
+                // Light that reaches this depth was reflected by red tissue.
                 let flushed = 1.0 + (FLUSHED[i] - 1.0) * smooth(8.0, 24.0, lips_z - p.z);
                 CROWN[i] * own * along * flushed
             });
@@ -202,7 +202,7 @@ fn gums(part: &mut MeshPart, arch: &Arch, crowns: &[Crown; 7], lips_z: f64) {
     let base = part.vertices.len() as u32;
     for i in 0..stations {
         let s = (f64::from(i) / f64::from(stations - 1) * 2.0 - 1.0) * total;
-        // The tooth here, and how far from its middle.
+        // The tooth at this position, and the distance from its middle.
         let (mut start, mut crown) = (0.0, crowns[6]);
         for c in crowns {
             if s.abs() <= start + c[0] {
@@ -309,7 +309,7 @@ fn tongue(contact: DVec3) -> MeshPart {
     let base = part.vertices.len() as u32;
     let (mut up, mut out) = (Vec::new(), Vec::new());
     let mut note = |index: u32, s: f64| {
-        // The blade bends from its middle on; the whole body slides when it comes out.
+        // The blade bends from its middle on; the whole body slides when it protrudes.
         let tip = smooth(0.35, 1.0, s);
         up.push((index, DVec3::new(0.0, 8.6 * tip, 1.2 * tip) * 1e-3));
         let slide = smooth(0.0, 0.9, s);

@@ -1,4 +1,4 @@
-//! The rim of the neck, where the head goes over into the body.
+//! Rim of the neck, the transition from the head to the body.
 
 use raconteur_base::DVec3;
 

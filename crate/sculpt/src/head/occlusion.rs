@@ -1,5 +1,5 @@
-//! Ambient occlusion of vertices: the mesh is drawn as a depth map from many directions
-//! and each vertex asks how many of them see it.
+//! Ambient occlusion of vertices: the mesh is rendered as a depth map from many directions, and
+//! each vertex counts the directions from which it is visible.
 
 use raconteur_base::{DVec3, ops};
 

@@ -1,5 +1,5 @@
-//! Coordinates of the skin about eyes, mouth, nostrils and ears, and the colour of the mouth
-//! behind the lips; the skin itself is coloured by its map.
+//! Coordinates of the skin about eyes, mouth, nostrils and ears, and the colour of the mouth behind
+//! the lips; a map colours the skin itself.
 
 use raconteur_base::DVec3;
 

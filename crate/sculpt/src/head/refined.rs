@@ -1,5 +1,5 @@
-//! The body model's surface where the head is bound: its faces subdivided twice, and how a place
-//! in a face is found there and back.
+//! Surface of the body model at the head's binding: its faces subdivided twice, and the mapping
+//! between positions and faces.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -46,7 +46,7 @@ impl Refined {
     /// Refines the model's faces around the given ones.
     pub(super) fn new(faces: &[[u32; 4]], wanted: BTreeSet<u32>) -> Self {
         let mut near = wanted;
-        // Within two steps a face feels its neighbours' neighbours.
+        // Within two steps, a face depends on its neighbours' neighbours.
         for _ in 0..2 {
             let touched: BTreeSet<u32> = near.iter().flat_map(|&f| faces[f as usize]).collect();
             near = (0u32..)

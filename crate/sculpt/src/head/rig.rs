@@ -1,5 +1,4 @@
-//! Which joint carries which vertex: lids, jaw, skull and neck; and the angle that
-//! closes the lids.
+//! Joint weights of lids, jaw, skull and neck, and the angle that closes the lids.
 
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector};
 
@@ -153,7 +152,7 @@ fn close_lid(
     shares: &mut [Shares],
 ) -> f64 {
     let elevation = |p: DVec3| raconteur_base::ops::atan2(p.y - centre.y, p.z - centre.z);
-    // Needed turn of positions 1..=7 of the upper lid.
+    // Required turn of positions 1..=7 of the upper lid.
     let mut turn = [0.0; 7];
     let mut closure = 0.0;
     for round in 0..12 {
@@ -168,7 +167,7 @@ fn close_lid(
                 .map(|(&p, s)| p.lerp(centre + q * (p - centre), s.upper_lid))
                 .collect()
         };
-        // The other lid's side is posed too, but does not enter here.
+        // The other side's lid is posed too, but has no effect here.
         let at = |k| solved.limit_of(cage.vertex(Key::eye(5, k), side), &posed);
         for (k, t) in (1..8).zip(&mut turn) {
             let arm = ((at(k) - centre) * DVec3::new(0.0, 1.0, 1.0))
@@ -177,12 +176,12 @@ fn close_lid(
             let open = elevation(at(k)) - elevation(at(16 - k)) + overlap_mm(k) / arm;
             *t = (*t + open).clamp(0.0, 1.4);
         }
-        // Beside the outer corner the lid has hardly an arm about the eye: what it would ask
-        // for there leaves the middle too small a share, whose chord cuts into the globe.
+        // Next to the outer corner, the lid has a very short lever arm about the eye: its required
+        // angle would leave the middle too small a share, whose chord cuts into the globe.
         closure = turn[..6].iter().copied().fold(1e-3, f64::max);
         turn[6] = turn[6].min(closure);
         for k in 1..8usize {
-            // Half-way rings of the lower lid swell in the middle.
+            // Halfway rings of the lower lid bulge in the middle.
             let middle = 1.0 - ((k as f64 - 4.0) / 4.0) * ((k as f64 - 4.0) / 4.0);
             for (i, ring) in (3..=7).enumerate() {
                 let upper = cage.vertex(Key::eye(ring, k), side);

@@ -1,4 +1,4 @@
-//! The measures of a head by which a beard made for one head fits another.
+//! Head measures for fitting a beard to another head.
 
 use raconteur_base::DVec3;
 

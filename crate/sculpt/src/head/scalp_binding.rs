@@ -1,4 +1,4 @@
-//! What grows on skin moves with it: joint weights and morphs are those of the skin beneath.
+//! Binding of hair to skin: joint weights and morph targets are those of the skin below.
 
 use std::collections::BTreeMap;
 

@@ -1,7 +1,8 @@
-//! Closes the lips of a solved head, so that hardly a tooth is seen at rest and no lip is in the other.
+//! Closure of a solved head's lips, so that almost no tooth is visible at rest and neither lip
+//! penetrates the other.
 //!
-//! Places of the lips are given on the rings of the cage; half a ring before the line where they
-//! meet each lip bulges, by more the fuller it is. So the gap is taken there, on the surface.
+//! Lip positions are specified on the rings of the cage; half a ring before the contact line, each
+//! lip bulges, in proportion to its fullness. The gap is therefore measured there, on the surface.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! The hierarchy of segments of the face after F&H, Table 5.1, on the drawn surface.
+//! Hierarchy of the face's segments after F&H, Table 5.1, on the rendered surface.
 
 use core::ops::RangeInclusive;
 

@@ -1,4 +1,4 @@
-//! What the skin's baking wants to know of the head.
+//! Head data for the skin's baking.
 
 use raconteur_base::DVec3;
 

@@ -1,8 +1,8 @@
-//! What the tissue under the face is made from: the skin between the cage and the drawn
-//! surface, as a mesh of nodes with their properties.
+//! Source of the tissue under the face: the skin between the cage and the rendered surface, as a
+//! mesh of nodes with their properties.
 //!
-//! Nodes are the vertices of the cage subdivided once; drawn vertices follow them by the same
-//! stencils that the surface is made with, so that a moved face stays as smooth as it was.
+//! Nodes are the vertices of the cage subdivided once; rendered vertices follow them by the
+//! stencils of the surface, so that a moved face stays as smooth as before.
 
 use std::collections::BTreeMap;
 
@@ -188,7 +188,7 @@ fn lip_place(cage: &Cage, between: &[u32]) -> Option<LipPlace> {
         }
     }
     let count = between.len();
-    // Only edges and quads of the mouth's own rings have whole places.
+    // Only edges and quads of the mouth's own rings have integer positions.
     let is_whole = count <= 4 && rings.is_multiple_of(count) && positions.is_multiple_of(count);
     is_whole.then(|| LipPlace {
         ring: (rings / count) as u8,
@@ -245,7 +245,7 @@ pub(super) fn soft(cage: &Cage, solved: &Solved, shares: &[Shares]) -> (Soft, Fo
     };
     let (mobilities, grips) = (by_key(mobility), by_key(grip));
     let (aside, ear_roots) = (by_key(mobility_aside), by_key(ear_root));
-    // An ear is stiff: what moves is its root.
+    // An ear is stiff: only its root moves.
     let ears = by_key(|key| f64::from(u8::from(matches!(key, Key::Ear(..)))));
     let inside = by_key(|key| match key {
         Key::Mouth(5.., _) | Key::Nostril(1.., _) => 1.0,
@@ -280,7 +280,7 @@ pub(super) fn soft(cage: &Cage, solved: &Solved, shares: &[Shares]) -> (Soft, Fo
             lip: lip_place(cage, &between[v]),
         });
     }
-    // Subdivision keeps the vertices it starts from in front.
+    // Subdivision keeps the initial vertices first.
     let held = |side| {
         let nodes = EAR_HOLDS.map(|(c, r)| node_of[cage.vertex(Key::Grid(c, r), side)]);
         nodes

@@ -1,6 +1,6 @@
-//! Puts the limit surface of the cage through given points and fairs the rest: one sparse
-//! least-squares problem, solved twice because fairness is scaled by lengths that follow from the
-//! first solution.
+//! Solver that puts the limit surface of the cage through given points and fairs the rest: one
+//! sparse least-squares problem, solved twice because fairness is scaled by lengths that follow
+//! from the first solution.
 
 use raconteur_base::{DVec3, Side};
 

@@ -1,4 +1,4 @@
-//! Brows and lashes: hairs that ride on the skin, each a ribbon of its own.
+//! Brows and lashes: hairs on the skin, each a separate ribbon.
 
 mod brow;
 mod lash;

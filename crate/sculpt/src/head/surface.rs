@@ -1,5 +1,5 @@
-//! The drawn surface: the cage's limit surface, sampled finely where detail lies and
-//! coarsely elsewhere, without cracks.
+//! Rendered surface: the cage's limit surface, sampled finely in detailed areas and coarsely
+//! elsewhere, without cracks.
 
 use raconteur_base::DVec3;
 
@@ -44,8 +44,8 @@ impl Surface {
             .zip(&cage.zones)
             .flat_map(|(f, &z)| core::iter::repeat_n(z, f.len()))
             .collect();
-        // A quad of the first level is followed by its four children, each of which
-        // begins at a corner and goes to the middle of the next edge.
+        // A quad of the first level precedes its four children, each of which begins at a corner
+        // and goes to the middle of the next edge.
         let middle = |q: usize, edge: usize| fine.faces[4 * q + edge][1];
         let mut split = vec![false; fine.stencils.len()];
         for (q, _) in coarse_faces
@@ -119,7 +119,7 @@ impl Surface {
     /// Returns the rendered vertex at the limit position of a cage vertex; `None` if none is
     /// rendered.
     pub(crate) fn vertex_of(&self, cage_vertex: usize) -> Option<u32> {
-        // Subdivision keeps the vertices it starts from in front.
+        // Subdivision keeps the initial vertices first.
         let fine = cage_vertex as u32;
         self.used.iter().position(|&v| v == fine).map(|i| i as u32)
     }

@@ -1,4 +1,4 @@
-//! What must hold for every head.
+//! Invariants of every head.
 
 use std::sync::OnceLock;
 
@@ -80,7 +80,7 @@ fn no_edge_has_three_faces_and_only_neck_lips_and_lid_linings_are_open() {
             for v in [a, b] {
                 let p = skin.vertices[v as usize].position;
                 let neck = p.y < -0.13;
-                // There the bag goes on.
+                // The bag continues there.
                 let lip = lips.contains(&p);
                 let mut globes = head.eye_centres.iter();
                 // The lids' lining ends behind the front of the globe.
@@ -320,7 +320,7 @@ fn no_face_is_degenerate_or_flipped() {
             assert!(across.length() > 1e-2, "{who}: {zone:?} at {}", p(0));
             let mean: DVec3 = face.iter().map(|&v| normals[v as usize]).sum();
             let turn = across.normalize().dot(mean.normalize());
-            // The crease of a hooded lid is a fold of nearly 90°; beyond it lies a flip.
+            // The crease of a hooded lid is a fold of nearly 90°; a larger angle is a flip.
             assert!(turn > 0.0, "{who}: {turn} {zone:?} at {}", p(0));
         }
     }

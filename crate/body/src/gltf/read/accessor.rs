@@ -10,9 +10,10 @@ use super::document::{Accessor, Component, Document, Sparse};
 /// referenced many times.
 const MAX_NUMBERS: usize = 1 << 26;
 
-/// A document with its binary chunk.
+/// glTF document with its binary chunk; reads accessors with every length, offset and index
+/// checked.
 pub struct Source<'a> {
-    /// The document.
+    /// Parsed document.
     pub root: &'a Document<'a>,
     numbers_left: usize,
 }
@@ -47,7 +48,8 @@ fn component(b: &[u8], c: Component, normalized: bool) -> f32 {
     }
 }
 
-/// One unsigned component; signed and floating ones are refused by the caller.
+/// Returns one unsigned component as an integer; the caller rejects signed and floating-point
+/// types.
 fn whole(b: &[u8], c: Component) -> u32 {
     match c {
         Component::U16 => u32::from(u16::from_le_bytes([b[0], b[1]])),
@@ -108,7 +110,8 @@ impl<'a> Source<'a> {
         Ok((bytes.ok_or(truncated)?.into(), view.byte_stride))
     }
 
-    /// All bytes of a view; they count as numbers, since many may show one view.
+    /// Returns all bytes of a buffer view. They count towards the limit of numbers, since several
+    /// accessors may share a view.
     pub fn view_bytes(
         &mut self,
         index: usize,
@@ -166,7 +169,8 @@ impl<'a> Source<'a> {
         })
     }
 
-    /// An accessor as finite numbers; quantised ones are scaled when they are normalised.
+    /// Returns an accessor as finite numbers; quantised values are scaled if the accessor is
+    /// normalised.
     pub fn floats<const N: usize>(
         &mut self,
         index: usize,
@@ -177,7 +181,7 @@ impl<'a> Source<'a> {
         read_floats(&l, what)
     }
 
-    /// An accessor as unsigned integers.
+    /// Returns an accessor as unsigned integers.
     pub fn integers<const N: usize>(
         &mut self,
         index: usize,
@@ -188,7 +192,7 @@ impl<'a> Source<'a> {
         read_integers(&l, what)
     }
 
-    /// An accessor of as many elements as there have to be.
+    /// Returns an accessor that must have `expected_count` elements.
     fn counted(
         &self,
         index: usize,
@@ -202,7 +206,7 @@ impl<'a> Source<'a> {
         Ok(accessor)
     }
 
-    /// The elements of a morph target that are not zero: sparse in the file or not.
+    /// Returns the non-zero elements of a morph target, from a sparse or dense accessor.
     #[allow(clippy::type_complexity, reason = "two parallel columns, used once")]
     pub fn nonzero(
         &mut self,
@@ -282,7 +286,8 @@ impl<'a> Source<'a> {
         Ok(self.accessor(index, what)?.count)
     }
 
-    /// An accessor as finite numbers, dense, sparse over a view, or sparse over zeros.
+    /// Returns an accessor as finite numbers, stored dense, sparse over a view, or sparse over
+    /// zeros.
     pub fn dense<const N: usize>(
         &mut self,
         index: usize,
@@ -306,7 +311,7 @@ impl<'a> Source<'a> {
         Ok(out)
     }
 
-    /// The elements of a morph target that are not zero, however it is stored.
+    /// Returns the non-zero elements of a morph target, for any kind of storage.
     #[allow(clippy::type_complexity, reason = "two parallel columns")]
     pub fn moved(
         &mut self,

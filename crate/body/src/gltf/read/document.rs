@@ -21,7 +21,7 @@ const MAGIC: &[u8; 4] = b"glTF";
 const CHUNK_JSON: u32 = 0x4E4F_534A;
 const CHUNK_BIN: u32 = 0x004E_4942;
 
-/// A node's own transform and its attachments.
+/// Node of a glTF document: local transform, children, mesh and skin.
 pub struct Node {
     pub name: String,
     pub children: Vec<usize>,
@@ -56,7 +56,7 @@ pub struct Primitive {
     pub targets: Vec<Target>,
 }
 
-/// Accessors of a mesh's binding.
+/// Accessors that bind a mesh to the tissue of the face: nodes and weights per vertex.
 pub struct Binding {
     pub version: u64,
     pub counts: usize,
@@ -65,7 +65,7 @@ pub struct Binding {
 }
 
 impl Primitive {
-    /// The accessor of an attribute.
+    /// Returns the accessor of a vertex attribute by name; `None` if the primitive lacks it.
     pub fn attribute(&self, name: &str) -> Option<usize> {
         self.attributes
             .iter()

@@ -1,4 +1,4 @@
-//! The attributes of an element.
+//! Attributes of an element.
 
 use super::MAX_ATTRIBUTES;
 use crate::Span;

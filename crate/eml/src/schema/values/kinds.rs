@@ -1,4 +1,4 @@
-//! Texts as values of the kinds that attributes have.
+//! Conversion of texts to values of the attribute kinds.
 
 use crate::record::Value;
 use crate::schema::Kind;
@@ -54,7 +54,7 @@ pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
             let secs = time_expr::parse_secs(text)?;
             in_range(secs, 0.0, most, text).map(Value::Number)
         }
-        // Both are read together with what stands around them.
+        // Both are read together with adjacent attributes.
         Kind::Time | Kind::KeyTime => Ok(Value::None),
         Kind::Choice(words) => word(words, text).ok_or_else(|| no_word(text, words)),
         Kind::Level {

@@ -1,4 +1,4 @@
-//! Opens and closes elements.
+//! Start and end of elements.
 
 use super::{Builder, MAX_DEPTH, is_name_start};
 use crate::markup::NodeKind;

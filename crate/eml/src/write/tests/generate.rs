@@ -1,4 +1,4 @@
-//! Documents made up from the table, for the test that writing loses nothing.
+//! Documents generated from the table, for the test that writing is lossless.
 
 use crate::clauses::speech::Markup;
 use crate::record::{Child as _, Field, List, Record, Value, Visit};
@@ -117,7 +117,7 @@ impl SeededRandom {
                 (1, _) => Value::Number(self.number(least, most)),
                 _ => Value::Word(self.pick(words)),
             },
-            // A switch is among what such a number may be.
+            // A switch is a valid value of such a number.
             Kind::NumberOrBool => Value::Number(self.below(2) as f64),
             Kind::NumberOrText if self.one_in(2) => Value::Text("left&'".into()),
             Kind::NumberOrText => Value::Number(self.number(-100.0, 100.0)),

@@ -1,4 +1,4 @@
-//! What is written reads as it was, and one way to write is canonical.
+//! Written documents round trip, and the written form is canonical.
 
 mod generate;
 

@@ -1,7 +1,7 @@
-//! English. What letters stand for is that of H. S. Elovitz, R. W. Johnson, A. McHugh and
-//! J. E. Shore, *Automatic Translation of English Text to Phonetics by Means of
-//! Letter-to-Sound Rules*, NRL Report 7948, 1976; set up anew for the mouth, which does not
-//! tell voiced from voiceless.
+//! English rules. The phones of letters are those of H. S. Elovitz, R. W. Johnson, A. McHugh and J.
+//! E. Shore, *Automatic Translation of English Text to Phonetics by Means of Letter-to-Sound
+//! Rules*, NRL Report 7948, 1976; rewritten for the mouth, which does not distinguish voiced from
+//! voiceless phones.
 
 /// Words that no rule would find, with their phones.
 pub(super) const WORDS: &str = "

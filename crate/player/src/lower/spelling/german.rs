@@ -1,5 +1,5 @@
-//! German. The letters are those of the official orthography; long *e* and *o* are as close
-//! as their lips, and *r* before no vowel is one.
+//! German rules. The letters are those of the official orthography; long *e* and *o* are as close
+//! as their lips, and *r* counts as a vowel unless a vowel follows.
 
 /// Words that no rule would find, with their phones.
 pub(super) const WORDS: &str = "

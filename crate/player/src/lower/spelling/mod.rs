@@ -1,11 +1,11 @@
-//! From spelling to phones, for a text that no voice has spoken: what lips need, by rules of
-//! English, German and Portuguese; letter by letter in other languages.
+//! Conversion of spelling to phones, for a text without a baked voice: the mouth shapes, by rules
+//! of English, German and Portuguese; letter by letter in other languages.
 //!
-//! A rule is `before[letters]after phones`, in lower case, with spaces between phones and `|`
-//! or a new line between rules. Contexts have letters and classes: `_` the word's edge, `#` one without an apostrophe, `V` a
-//! vowel, `C` a consonant, `F` one of e, i, y; `S`, before, a vowel anywhere before; `T`,
-//! behind, two syllables more; `%`, behind, an English ending. Of the rules that fit, that of
-//! the most letters is taken, and of those the first.
+//! A rule is `before[letters]after phones`, in lower case, with spaces between phones and `|` or a
+//! new line between rules. Contexts consist of letters and classes: `_` the word's edge, `#` one
+//! without an apostrophe, `V` a vowel, `C` a consonant, `F` one of e, i, y; `S`, before, a vowel
+//! anywhere before; `T`, behind, two more syllables; `%`, behind, an English ending. Of the
+//! matching rules, the one with the most letters applies, and of those the first.
 
 mod english;
 mod german;
@@ -60,7 +60,7 @@ impl Speller {
         let mut rules: Vec<Rule> = entries(words).filter_map(word).collect();
         rules.extend(tables.into_iter().flat_map(entries).filter_map(rule));
         rules.extend(entries(letters::RULES).filter_map(rule));
-        // Stable: of rules as long as each other the first comes first.
+        // The sort is stable: among rules of equal length, the first comes first.
         rules.sort_by_cached_key(|r| (first(r), core::cmp::Reverse(r.letters.chars().count())));
         Self { rules, marked }
     }

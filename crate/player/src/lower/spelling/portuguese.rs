@@ -1,5 +1,5 @@
-//! Portuguese. The letters are those of the *Acordo Ortográfico* of 1990; weak vowels and
-//! final *s* are European, and [`BRAZIL`] has what is said otherwise there.
+//! Portuguese rules. The letters are those of the *Acordo Ortográfico* of 1990; weak vowels and
+//! final *s* are European, and [`BRAZIL`] contains the Brazilian differences.
 
 /// Words that no rule would find, with their phones.
 pub(super) const WORDS: &str = "

@@ -1,4 +1,4 @@
-//! Animations that a story plays and that the page has to bring.
+//! Animations of a story that the page must supply.
 
 use raconteur_actor::Library;
 use raconteur_actor::animation::{Operation, PlayerCommand};

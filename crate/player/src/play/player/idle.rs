@@ -1,9 +1,9 @@
-//! Before a story is played, and where it rests for an answer: the figure breathes, blinks and
-//! looks at the viewer, in a welcoming posture, on a clock of its own.
+//! Idle figure before a story and during a question: it breathes, blinks and looks at the viewer,
+//! in a welcoming posture, on its own clock.
 //!
-//! How long it has waited is no story time: what a story shows at any time stays the same.
-//! When the story begins to play, the welcome fades into it. Half a second later, and after
-//! any seek, nothing of it is left, to the last bit.
+//! The idle time is not story time: a story shows the same at any time. When the story starts to
+//! play, the welcome fades into it. Half a second later, and after any seek, nothing of it is left,
+//! to the last bit.
 
 use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::curve::{lerp, minimum_jerk};
@@ -214,7 +214,7 @@ impl Player {
         let (skeleton, face) = (&self.cast.figure.skeleton, &self.cast.face);
         let layers = &mut self.layers;
         let room = &mut self.room;
-        // How much of the waiting there is, and the story's moment before it.
+        // The weight of the idle figure, and the story time before it.
         let asked = |t: f64, asked_secs: Option<f64>| {
             let share = minimum_jerk(t / TURN_SECS);
             asked_secs.filter(|_| share < 1.0).map(|at| (at, share))

@@ -1,4 +1,4 @@
-//! Live performance: fragments join the story, and are interrupted.
+//! Live performance: fragments join the story and can be interrupted.
 
 use super::Player;
 use crate::live::cut::is_interrupt;

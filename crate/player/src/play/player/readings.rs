@@ -1,5 +1,5 @@
-//! Queries of a moment beside its frame: the spoken word, targets of the hands, a digest of the
-//! pose.
+//! Queries of a time in addition to its frame: the spoken word, targets of the hands, a digest of
+//! the pose.
 
 use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_stage::{Angle, CurrentSpeech, EmotionType, Illumination, Mood, Shot};
@@ -88,7 +88,7 @@ impl Player {
 
     /// Returns the targets of the hands at a time, and their errors.
     pub fn hand_targets(&mut self, time_secs: f64) -> [Manipulator; 2] {
-        // A figure that waits is shown elsewhere than the story has it.
+        // An idle figure is elsewhere than the story's figure.
         let shown = self.frame.clone();
         let report = self.evaluate(time_secs);
         self.frame = shown;

@@ -1,4 +1,4 @@
-//! What a moment shows: body and face, joints, hair, light and camera.
+//! Frame content at a time: body and face, joints, hair, light and camera.
 
 use raconteur_actor::EvaluationReport;
 use raconteur_base::{DAffine3, DVec3};
@@ -24,7 +24,7 @@ impl Player {
     /// Returns the camera of the current frame, for an image of `aspect` (width over height).
     pub(crate) fn camera(&self, aspect: f64) -> Camera {
         let time_secs = self.frame.time_secs;
-        // Where the script has moved the figure; the camera does not follow its sway.
+        // The figure's scripted position; the camera does not follow its sway.
         let moved = self.layers.actor().world_from_figure(time_secs);
         let stature_m = self.cast.figure.skeleton.stature_m();
         let subject = FramedFigure {
@@ -32,7 +32,8 @@ impl Player {
             stature_m,
         };
         let aside = self.set().aside();
-        // What lies aside has as much less room at one side; few hands go as far as gestures are given room for.
+        // An offset figure has correspondingly less room on one side; few hands reach the edge of
+        // the reserved space.
         let held = aspect - 0.5 * aside_in(aspect, aside).abs();
         let room = |rest| FramingMargin {
             aside,
@@ -163,7 +164,7 @@ impl Player {
         let lamps = self.lighting.unwrap_or_else(|| set.lighting());
         let light = self.picture.illumination(time_secs);
         self.frame.set = Set {
-            // Who asks for less motion sees the place stand still.
+            // For users who prefer reduced motion, the set stands still.
             time_secs: if self.picture.moves() { time_secs } else { 0.0 },
             ..light.set(set)
         };

@@ -1,4 +1,4 @@
-//! The throat: a collar lies against the neck, and no cloth is seen from behind there.
+//! Throat: a collar touches the neck, and no back face of cloth is visible there.
 
 use std::collections::BTreeMap;
 
@@ -85,7 +85,8 @@ fn a_collar_lies_against_the_neck_all_round() {
         for (k, points) in round.iter().enumerate() {
             let top = points.iter().map(|p| p.y).fold(f64::MIN, f64::max);
             let edge = points.iter().filter(|p| p.y > top - 0.005);
-            // How far the skin is, inwards or where it slopes down; what lies in it is not off.
+            // Distance to the skin, inwards or where it slopes down; points inside the skin have no
+            // gap.
             let off = edge.map(|p| {
                 let level = (m.field.neck_centre(p.y) - *p).normalize();
                 let to = |way: DVec3| {
@@ -160,7 +161,7 @@ fn nothing_is_seen_from_behind_at_the_throat() {
                     })
                     .min_by(|a, b| a.0.total_cmp(&b.0));
                 if let Some((d, front, name)) = first {
-                    // Below the head's skin the body's own lies up to 11 mm under its field.
+                    // Below the head's skin, the body's own is up to 11 mm below its field.
                     let inside = |along: f64| {
                         m.field.value(from - towards * along, Regions::ALL, 1.0) < -0.012
                     };

@@ -1,4 +1,4 @@
-//! What becomes of a hair's path after it has grown: it gathers, waves, is cut, or dropped.
+//! Shaping of a grown hair path: it gathers, waves, is cut, or removed.
 
 use std::f64::consts::TAU;
 
@@ -33,7 +33,7 @@ impl Grower<'_> {
             .enumerate()
             .map(|(k, p)| p.distance(guide(k)))
             .fold(0.0, f64::max);
-        // Locks that part ways are not dragged across one another.
+        // Diverging locks are not dragged across one another.
         let near = if is_short {
             step(0.035, 0.013, far)
         } else {

@@ -1,4 +1,4 @@
-//! How far a finished head lies from the body model's surface.
+//! Distance of a finished head from the body model's surface.
 
 use crate::head::Shape;
 use crate::head::binding::Binding;

@@ -1,6 +1,6 @@
 //! Lines of the ear on the body model's mean head, for rings and positions of the cage's ear.
 //!
-//! They were read off a picture of the model's ear along its normal: the edge of the helix, its
+//! They were read off an image of the model's ear along its normal: the edge of the helix, its
 //! crest and inner edge, the scapha, the antihelix with tragus and antitragus, the wall of the
 //! concha and its floor.
 

@@ -1,11 +1,11 @@
-//! Finds the binding's places anew on the body model's mean head, and measures how far heads lie
-//! from the model.
+//! Registration: determines the positions of the binding on the body model's mean head again, and
+//! measures the distance of heads from the model.
 //!
-//! Rings of lids, lips and nostrils and the named points carry the meaning and keep their places;
-//! ears follow lines that were drawn on the model's ([`ear`]). All else is what a registration
-//! makes of it: the mean head bent through those, and drawn onto the model's surface in rounds
-//! that hold its shape less and less (Amberg et al. 2007, "Optimal step nonrigid ICP algorithms
-//! for surface registration", doi:10.1109/CVPR.2007.383165).
+//! Rings of lids, lips and nostrils and the named points carry the meaning and keep their
+//! positions; ears follow lines drawn on the model's ear ([`ear`]). Registration determines the
+//! rest: the mean head is bent through those points, and drawn onto the model's surface in rounds
+//! with decreasing stiffness (Amberg et al. 2007, "Optimal step nonrigid ICP algorithms for surface
+//! registration", doi:10.1109/CVPR.2007.383165).
 
 mod deviation;
 pub(super) mod ear;
@@ -136,7 +136,7 @@ pub fn register(model: &Model) -> Result<HeadRegistration, ModelError> {
         .iter()
         .map(|(&at, place)| (at, theirs.place(place)))
         .collect();
-    // Lines that miss the ear leave its places as they were.
+    // If lines miss the ear, its positions stay unchanged.
     let mut kept = ear::COUNT - ears.len();
     let (mut sum, mut most, mut count) = (0.0, 0.0f64, 0);
     for (v, &(key, side)) in cage.keys.iter().enumerate() {
@@ -207,7 +207,8 @@ fn bend(
             .map(|&(v, shift)| (row(v, GIVEN), shift * GIVEN))
             .collect();
         rows.extend(free.iter().map(|&(v, was)| (row(v, BEFORE), was * BEFORE)));
-        // The first bends it alone: unbent, the nearest places are others' places.
+        // The first round only bends the head: before the bend, the nearest positions belong to
+        // other parts.
         if round > 0 {
             let normals = vertex_normals(&bent, &cage.faces);
             let found = free.iter().filter_map(|&(v, _)| {
@@ -253,12 +254,12 @@ mod tests {
         let theirs = Surface::new(points, triangles.collect(), REACH_MM);
         let limit = |v: usize| bulge(mean.limit_of(v, &mean.cage_points));
         let given = |key: Key, side: Side| is_given(key).then(|| limit(cage.vertex(key, side)));
-        // The places of before lie a millimetre and a half off.
+        // The previous positions are a millimetre and a half away.
         let before = |key: Key, side: Side| Some(limit(cage.vertex(key, side)) + DVec3::Y * 1.5);
         let bent = bend(&cage, &theirs, &before, &given);
         let mut errors: Vec<f64> = Vec::new();
         for (v, &(key, _)) in cage.keys.iter().enumerate() {
-            // The neck's end is held by nothing.
+            // The end of the neck has no constraint.
             let is_neck = matches!(key, Key::Grid(_, 26..));
             if !is_given(key) && !is_neck && matches!(key, Key::Grid(..) | Key::Crown(..)) {
                 let place = theirs.nearest(bent[v], |_| true).unwrap();

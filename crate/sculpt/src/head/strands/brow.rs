@@ -46,7 +46,7 @@ impl BrowLine {
     pub(crate) fn above(crest: &[DVec3]) -> Self {
         let mut line = crest.to_vec();
         if let [inner, next, ..] = &mut line[..] {
-            // The crest begins nearer to the midline than hair does.
+            // The crest begins nearer to the midline than the hair.
             let (y, z) = (0.88 * next.y + 0.12 * inner.y, 0.7 * next.z + 0.3 * inner.z);
             *inner = DVec3::new(next.x + 0.35 * (inner.x - next.x), y, z);
         }
@@ -159,7 +159,7 @@ impl<'a> BrowSkin<'a> {
         for (i, share) in nearest(&self.flat, place.with_z(0.0), 4, 0.1) {
             let v = self.vertices[i as usize] as usize;
             let (p, n) = (self.ride.positions[v] * 1e3, self.ride.normals[v]);
-            // Each vertex tells of the plane through it.
+            // Each vertex defines a plane through itself.
             let slope = (n.x * (place.x - p.x) + n.y * (place.y - p.y)) / n.z.max(0.2);
             z += share * (p.z - slope);
             normal += n * share;

@@ -118,7 +118,7 @@ fn lash(
     let (own_end, leave) = edge.growth(s);
     let (their_end, _) = edge.growth(meet);
     let loose = 0.25 + 0.35 * dice.unit();
-    // Seen from the side, they would else lie one behind the other.
+    // Otherwise the lashes would lie one behind the other in a side view.
     let shaken = DVec3::new(
         0.04 * dice.signed(),
         0.12 * dice.signed(),

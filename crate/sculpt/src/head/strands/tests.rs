@@ -1,4 +1,4 @@
-//! What brows and lashes must be, on every head.
+//! Invariants of brows and lashes on every head.
 
 use raconteur_base::DVec3;
 
