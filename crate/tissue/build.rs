@@ -1,5 +1,4 @@
-//! Turns the tables of muscles, `src/muscles.tsv` and `src/antagonists.tsv`, into what the program
-//! knows of them.
+//! Generates Rust code from the muscle tables `src/muscles.tsv` and `src/antagonists.tsv`.
 
 use std::fmt::{self, Write as _};
 use std::path::Path;

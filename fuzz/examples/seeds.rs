@@ -1,5 +1,5 @@
-//! Writes the corpus of the `figure` target: small avatars in every dialect, made by the
-//! code that makes them for the importer's tests. Takes the folder to write to.
+//! Writes the corpus of the `figure` target: small avatars in every dialect, made by the code of
+//! the importer's tests. The argument is the output folder.
 
 #[allow(dead_code, reason = "the importer's tests use the rest")]
 #[path = "../../crate/avatar/tests/avatars/made.rs"]

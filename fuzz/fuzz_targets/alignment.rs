@@ -1,4 +1,4 @@
-//! Bytes as an alignment in the format that the first byte chooses.
+//! Bytes as an alignment in the format selected by the first byte.
 #![no_main]
 
 use raconteur_voice::align::{Format, detect, read};

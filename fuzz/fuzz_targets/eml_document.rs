@@ -1,4 +1,4 @@
-//! Bytes as a whole EML script: read, checked, resolved and asked.
+//! Bytes as a whole EML script: read, checked, resolved and queried.
 #![no_main]
 
 #[path = "../../crate/eml/tests/holds/mod.rs"]

@@ -1,4 +1,4 @@
-//! Bytes as what a mind sends during a performance.
+//! Bytes as a mind's fragments during a performance.
 #![no_main]
 
 #[path = "../../crate/eml/tests/holds/mod.rs"]

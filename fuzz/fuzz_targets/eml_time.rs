@@ -1,4 +1,4 @@
-//! Bytes as a time expression, between names that are defined and names that are not.
+//! Bytes as a time expression, between defined and undefined names.
 #![no_main]
 
 #[path = "../../crate/eml/tests/holds/mod.rs"]

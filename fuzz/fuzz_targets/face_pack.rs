@@ -1,4 +1,4 @@
-//! Bytes as the parts of a pack of faces.
+//! Bytes as the parts of a face pack.
 #![no_main]
 
 use raconteur_faces::{Editor, FaceModel, FaceSpace, Follower, Segments};

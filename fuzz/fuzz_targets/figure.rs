@@ -1,4 +1,4 @@
-//! Bytes as a figure: our own GLB, or anybody's glTF, GLB or VRM.
+//! Bytes as a figure: a generated GLB, or any glTF, GLB or VRM.
 #![no_main]
 
 use raconteur_body::annotation::annotations;

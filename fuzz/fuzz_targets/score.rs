@@ -1,4 +1,4 @@
-//! Text as a score of music: notes, without the sound of them.
+//! Text as a score of music: notes, without audio.
 #![no_main]
 
 /// Modules of the composer, included directly: the command-line library would also bring in an

@@ -1,4 +1,4 @@
-//! Bytes as what a mind sends to `raconteur serve` by TCP: its greeting and its fragments.
+//! Bytes as a mind's input to `raconteur serve` by TCP: its greeting and its fragments.
 #![no_main]
 
 #[path = "../../crate/cli/src/serve/framing.rs"]

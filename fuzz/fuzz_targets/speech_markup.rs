@@ -1,5 +1,5 @@
-//! Text as a document of SABLE and of SSML: what is read is written in both languages and
-//! read again, and every word has the same style.
+//! Text as a document of SABLE and of SSML: the result is written in both languages and read again,
+//! and every word has the same style.
 #![no_main]
 
 use raconteur_voice::content::{Content, Division};

@@ -38,7 +38,7 @@ pub struct EvaluationReport {
     pub wrist_errors_m: [f64; 2],
     /// World from target, per limb driven by a manipulator or, without a turn, by a gesture; in the
     /// order of [`Limb::ALL`](crate::limb::Limb::ALL) without the head.
-    pub led: [Option<DAffine3>; 4],
+    pub limb_targets: [Option<DAffine3>; 4],
     /// State of the mouth at the evaluated time, from speech and from visemes set by the script.
     pub mouth: MouthTargets,
     /// The controls of the face.
@@ -337,7 +337,7 @@ impl Actor {
             arms,
             wrist_goals_in_world,
             wrist_errors_m,
-            led,
+            limb_targets: led,
             mouth,
             controls,
         }

@@ -358,6 +358,6 @@ fn joints_turn_the_way_they_say() {
 
 #[test]
 fn limits_are_those_of_the_sex() {
-    let [male, female] = [Sex::Male, Sex::Female].map(|s| limits(Limb::LeftArm, s)[2].most_rad);
+    let [male, female] = [Sex::Male, Sex::Female].map(|s| limits(Limb::LeftArm, s)[2].max_rad);
     assert!(female > male, "the female limit exceeds the male one");
 }

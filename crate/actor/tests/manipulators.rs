@@ -246,7 +246,7 @@ fn limits_hold_throughout_while_they_are_on() {
                 let mut all = joints.iter().zip(rig.limits());
                 all.all(|(a, l)| {
                     let angle = l.wrapped(*a);
-                    angle > l.least_rad - 1e-7 && angle < l.most_rad + 1e-7
+                    angle > l.min_rad - 1e-7 && angle < l.max_rad + 1e-7
                 })
             };
             assert!(

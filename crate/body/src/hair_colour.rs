@@ -3,7 +3,7 @@
 use raconteur_base::ops;
 use serde::{Deserialize, Serialize};
 
-/// Pigments of hair.
+/// Hair colour by pigments: eumelanin, pheomelanin and the share of grey hairs.
 ///
 /// Absorption by d'Eon, Francois, Hill, Letteri and Aubry 2011 ("An energy-conserving hair
 /// reflectance model", doi:10.1111/j.1467-8659.2011.01976.x); from absorption to the colour
@@ -64,7 +64,7 @@ const REACH: f64 = 5.888;
 /// 1.55), part of which appears in diffuse light. Chosen by eye.
 const SURFACE: f64 = 0.009;
 impl HairColour {
-    /// Colour of the pigmented hairs, linear RGB.
+    /// Returns the colour of the pigmented hairs, linear RGB.
     #[must_use]
     pub fn pigment_rgb(&self) -> [f64; 3] {
         core::array::from_fn(|i| {
@@ -75,7 +75,7 @@ impl HairColour {
         })
     }
 
-    /// Mean colour, linear RGB.
+    /// Returns the mean colour of the hair including grey hairs, linear RGB.
     #[must_use]
     pub fn linear_rgb(&self) -> [f64; 3] {
         let own = self.pigment_rgb();

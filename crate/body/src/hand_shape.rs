@@ -73,7 +73,7 @@ pub const RIGHT_FINGER_BONES: [Bone; 15] = [
     Bone::RThumb2,
 ];
 
-/// The finger bones of a hand, in the order of [`LEFT_FINGER_BONES`].
+/// Returns the finger bones of a hand, in the order of [`LEFT_FINGER_BONES`].
 #[must_use]
 pub fn finger_bones(side: Side) -> &'static [Bone; 15] {
     match side {
@@ -93,7 +93,8 @@ pub fn blend_rotations(
     core::array::from_fn(|i| (a[i].0, a[i].1.slerp(b[i].1, weight)))
 }
 
-/// A hand shape by its number.
+/// Hand shape of the gesture dictionary (GEVH 3.5, Portuguese Sign Language), by its number;
+/// gestures name it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandShape {
     id: u8,
@@ -102,37 +103,37 @@ pub struct HandShape {
 }
 
 impl HandShape {
-    /// Every shape; the index is the number.
+    /// All hand shapes, indexed by number.
     pub const ALL: &'static [Self; 61] = &SHAPES;
 
     /// The hanging hand, number 0: the shape to which a hand returns.
     pub const RELAXED: &'static Self = &SHAPES[0];
 
-    /// The shape of a number, 0 to 60.
+    /// Returns the hand shape with a number, 0 to 60; `None` for any other.
     #[must_use]
     pub fn get(id: u8) -> Option<&'static Self> {
         SHAPES.get(usize::from(id))
     }
 
-    /// Its number.
+    /// Returns the number of the hand shape in the dictionary, 0 to 60.
     #[must_use]
     pub fn id(&self) -> u8 {
         self.id
     }
 
-    /// Its English name.
+    /// Returns the English name of the hand shape.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.name
     }
 
-    /// Its angles.
+    /// Returns the joint angles of the hand shape.
     #[must_use]
     pub fn angles(&self) -> &HandAngles {
         &self.angles
     }
 
-    /// Local rotations of the finger bones; see [`HandAngles::rotations`].
+    /// Returns the local rotations of the finger bones of one hand; see [`HandAngles::rotations`].
     #[must_use]
     pub fn rotations(&self, side: Side) -> [(Bone, DQuat); 15] {
         self.angles.rotations(side)

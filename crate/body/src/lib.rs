@@ -17,7 +17,7 @@ pub mod skeleton;
 pub mod springs;
 pub mod surface;
 
-/// The face as a machine.
+/// Facial tissue: a muscle-based model of the face.
 pub use raconteur_tissue as face;
 
 pub use crate::gltf::{annotation, read, write};

@@ -4,7 +4,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3};
 
 use crate::skeleton::{Bone, Drive, Skeleton};
 
-/// Local rotations of the 54 bones relative to the zero pose (arms stretched out
+/// Pose of a figure: local rotations of the 54 bones relative to the zero pose (arms stretched out
 /// sideways, palms down), the root's placement, and the face's rigid parts.
 ///
 /// World from joint is parent · translation · `zero_rotation` · rotation; the lower jaw's
@@ -27,7 +27,8 @@ pub struct Pose {
     pub root_offset_in_world: DVec3,
     /// Rotation of the whole figure about the world's origin.
     pub root_rotation: DQuat,
-    /// One local rotation a bone, in [`Bone::ALL`]'s order.
+    /// Local rotations of the bones relative to the zero pose, one per bone, in the order of
+    /// [`Bone::ALL`].
     pub rotations: [DQuat; Bone::COUNT],
     /// Translation of the lower jaw from its joint, in the skull bone's frame (x up, y front, z
     /// left), metres.
@@ -43,7 +44,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// The zero pose: arms stretched out sideways, palms down, eyes ahead.
+    /// Returns the zero pose: arms stretched out sideways, palms down, eyes ahead.
     #[must_use]
     pub fn zero() -> Self {
         Self {
@@ -57,13 +58,13 @@ impl Pose {
         }
     }
 
-    /// The local rotation of a bone.
+    /// Returns the local rotation of a bone, relative to the zero pose.
     #[must_use]
     pub fn rotation(&self, bone: Bone) -> DQuat {
         self.rotations[bone.index()]
     }
 
-    /// Sets the local rotation of a bone.
+    /// Sets the local rotation of a bone, relative to the zero pose.
     pub fn set(&mut self, bone: Bone, rotation: DQuat) {
         self.rotations[bone.index()] = rotation;
     }
@@ -79,7 +80,7 @@ impl Pose {
         }
     }
 
-    /// The local rotation of a joint with this drive.
+    /// Returns the local rotation that the pose gives a joint with this drive.
     #[must_use]
     pub fn joint_rotation(&self, drive: Drive) -> DQuat {
         match drive {

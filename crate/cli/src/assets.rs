@@ -66,7 +66,7 @@ pub(crate) fn offer_voices() {
     }
 }
 
-/// A file of the library on disk.
+/// Returns the path of a library file on disk.
 ///
 /// # Errors
 /// When it is not there, or its path leaves the library.
@@ -97,7 +97,7 @@ pub(crate) fn read(path: &str) -> Result<Cow<'static, [u8]>> {
     }
 }
 
-/// The library's animations in the program, by their file names: a few kilobytes each.
+/// Returns the animations embedded in the program, by file name; each has a few kilobytes.
 pub(crate) fn animations() -> impl Iterator<Item = (String, &'static [u8])> {
     ANIMATIONS.files().filter_map(|file| {
         let name = file
@@ -114,7 +114,8 @@ pub(crate) fn built_page() -> Option<PathBuf> {
     built.is_dir().then_some(built)
 }
 
-/// The names of the library's figures: those in the program, and those of its folder.
+/// Returns the names of all figures of the library: those embedded in the program and those in its
+/// folder.
 pub(crate) fn figure_names() -> BTreeSet<String> {
     let listed = folder().and_then(|folder| std::fs::read_dir(folder.join("figures")).ok());
     let listed = listed.into_iter().flatten().flatten().map(|f| f.path());

@@ -14,17 +14,17 @@ const BEFORE: usize = 60;
 /// Truncation mark.
 const CUT: char = '…';
 
-/// Excerpt of the shown source lines, with their original positions.
+/// Excerpt of the source lines that a diagnostic shows, with their original positions.
 pub(crate) struct Excerpt<'a> {
     file: &'a str,
     text: String,
-    /// In order.
+    /// Shown lines, in source order.
     lines: Vec<Line<'a>>,
 }
 
 /// Source line, or its shown part.
 struct Line<'a> {
-    /// From 1.
+    /// Line number in the source, from 1.
     number: u32,
     /// The whole line in the source, bytes.
     whole: Range<usize>,

@@ -12,7 +12,7 @@ use crate::soundtrack::Soundtrack;
 use crate::terminal;
 use raconteur_voice::files::disk::PendingFile;
 
-/// Destination of frames.
+/// Destination of the frames of a film: an ffmpeg process or a folder of numbered images.
 pub(crate) enum Sink {
     /// Running ffmpeg process and its output.
     Ffmpeg {

@@ -45,9 +45,9 @@ struct Arguments {
 /// Output format of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
-    /// For people.
+    /// Text for people.
     Text,
-    /// For programs, on standard output.
+    /// JSON for programs, on standard output.
     Json,
 }
 
@@ -107,7 +107,7 @@ impl Command {
     }
 }
 
-/// Outcome of a command.
+/// Outcome of a command, from which the exit status follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
     /// No problem found.

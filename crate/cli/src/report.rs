@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::excerpt::Excerpt;
 use crate::{Outcome, terminal};
 
-/// Position in a file. Lines and columns count from 1, columns in characters.
+/// Position in a source file. Lines and columns count from 1, columns in characters.
 #[derive(Serialize)]
 pub(crate) struct Location {
     line: u32,
@@ -19,7 +19,7 @@ pub(crate) struct Location {
     offset: u32,
 }
 
-/// One diagnostic as JSON.
+/// Diagnostic in the JSON output of commands.
 #[derive(Serialize)]
 pub(crate) struct Entry<'a> {
     file: &'a str,
@@ -38,7 +38,7 @@ fn severity_name(severity: Severity) -> &'static str {
     }
 }
 
-/// The diagnostics of one file as JSON values.
+/// Converts the diagnostics of one file to entries of the JSON output.
 pub(crate) fn entries<'a>(
     file: &'a str,
     source: &'a str,

@@ -3,7 +3,7 @@
 use raconteur_base::{DAffine3, DMat3, DVec3, NodeState};
 use raconteur_body::{Bone, Figure, Mesh};
 
-/// Vertices of one mesh in the world.
+/// Vertices of one mesh in the world after skinning.
 pub(crate) struct Skinned {
     /// Metres.
     pub(crate) positions: Vec<DVec3>,
@@ -11,7 +11,7 @@ pub(crate) struct Skinned {
     pub(crate) normals: Vec<DVec3>,
 }
 
-/// The matrices that carry bind-pose vertices into a pose.
+/// Returns the skinning matrices from bind pose to a posed figure, one per joint.
 pub(crate) fn world_from_bind(figure: &Figure, world_from_joint: &[DAffine3]) -> Vec<DAffine3> {
     world_from_joint
         .iter()

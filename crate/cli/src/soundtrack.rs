@@ -16,7 +16,7 @@ const RATE_HZ: u32 = 48_000;
 /// Distance of the breakpoints of the music level, samples: 5 ms.
 const LEVEL_STEP: usize = 240;
 
-/// A sound and when it starts in the film; negative when the film begins within it.
+/// Sound file of a film with its start in the film, seconds; negative if it starts before the film.
 pub(crate) struct Sound {
     /// A sound of the film.
     pub(crate) file: media::Sound,
@@ -24,17 +24,17 @@ pub(crate) struct Sound {
     pub(crate) start_secs: f64,
 }
 
-/// A sound of the story's folder.
+/// Opens a sound file in the folder of the story.
 fn sound(folder: &Path, path: &str) -> Result<media::Sound> {
     let found = inside::find(folder, path)?;
     media::Sound::open(&found.with_context(|| format!("there is no {path}"))?)
 }
 
-/// The sounds of a film.
+/// Sounds of a film: speech and music.
 pub(crate) struct Soundtrack {
-    /// One channel each.
+    /// Speech audio, one channel each.
     pub(crate) voices: Vec<Sound>,
-    /// Two channels each.
+    /// Music, two channels each.
     pub(crate) music: Vec<Sound>,
     /// Temporary folder of the music, removed on drop.
     _scratch: Option<TempDir>,
@@ -141,7 +141,7 @@ impl Soundtrack {
         Ok(())
     }
 
-    /// All sounds, voices first.
+    /// Returns all sounds, speech first.
     pub(crate) fn sounds(&self) -> impl Iterator<Item = &Sound> {
         self.voices.iter().chain(&self.music)
     }

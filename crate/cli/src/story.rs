@@ -26,11 +26,11 @@ const MAX_BUNDLE_BYTES: u64 = 256 << 20;
 /// The largest figure that is read, bytes.
 const MAX_FIGURE_BYTES: u64 = 512 << 20;
 
-/// A story's files, found from a path that names the script or its folder.
+/// Story files, found from a path that names the script or its folder.
 pub(crate) struct StoryFiles {
     /// The script.
     pub(crate) script: PathBuf,
-    /// Its text.
+    /// Text of the script.
     pub(crate) text: String,
     /// Diagnostic about bytes that are not valid text.
     pub(crate) undecoded: Option<Diagnostic>,
@@ -53,23 +53,24 @@ impl StoryFiles {
         })
     }
 
-    /// The folder of the story.
+    /// Returns the folder of the story.
     pub(crate) fn folder(&self) -> &Path {
         self.script.parent().unwrap_or(Path::new(""))
     }
 
-    /// The folder of the speech bundle.
+    /// Returns the folder of the speech bundle.
     pub(crate) fn voice(&self) -> PathBuf {
         self.folder().join("voice")
     }
 
-    /// The bundle's description, if the story has one.
+    /// Returns the JSON description of the speech bundle; `None` if the story has none.
     pub(crate) fn bundle(&self) -> Option<Vec<u8>> {
         let path = ok_or_report(inside::find(self.folder(), "voice/speech.json"))??;
         ok_or_report(input::bytes(&path, MAX_BUNDLE_BYTES))
     }
 
-    /// The story with its voice, without a figure: enough for times and diagnostics.
+    /// Reads the story with its speech but without a figure, which suffices for times and
+    /// diagnostics.
     pub(crate) fn script(&self) -> raconteur_player::Script {
         let mut script = raconteur_player::Script::read(&self.text, self.bundle().as_deref());
         let wanted = script.needed_animations();
@@ -142,8 +143,8 @@ impl StoryFiles {
         lacking.collect()
     }
 
-    /// The story ready to be performed: by the figure of this name, else by the one that the
-    /// story chooses, else by the usual one.
+    /// Loads the story for performance with the figure of this name, or else the one that the story
+    /// chooses, or else the default one.
     pub(crate) fn player(&self, figure: Option<&str>, shot: Shot) -> Result<LoadedPlayer> {
         let (figure, trouble) = self.figure(figure)?;
         let mut loaded = Player::load(StoryInput {

@@ -7,7 +7,7 @@ use anyhow::Result;
 use raconteur_base::printable::{printable, printable_json};
 use serde::Serialize;
 
-/// Text stream that shows control characters instead of sending them.
+/// Text stream for terminals that prints control characters visibly instead of sending them.
 pub(crate) struct Printable<W>(W);
 
 impl<W: Write> Write for Printable<W> {
@@ -23,12 +23,12 @@ impl<W: Write> Write for Printable<W> {
     }
 }
 
-/// The standard output.
+/// Returns standard output with control characters made visible.
 pub(crate) fn out() -> Printable<StdoutLock<'static>> {
     Printable(io::stdout().lock())
 }
 
-/// The standard error.
+/// Returns standard error with control characters made visible.
 pub(crate) fn err() -> Printable<StderrLock<'static>> {
     Printable(io::stderr().lock())
 }
@@ -43,7 +43,7 @@ pub(crate) fn json_lines(value: &impl Serialize) -> Result<String> {
     Ok(printable_json(&serde_json::to_string_pretty(value)?).into_owned())
 }
 
-/// A value as JSON that [`out`] prints as it is, on one line.
+/// Returns a value as single-line JSON that [`out`] prints unchanged.
 pub(crate) fn json(value: &impl Serialize) -> Result<String> {
     Ok(printable_json(&serde_json::to_string(value)?).into_owned())
 }

@@ -117,7 +117,7 @@ fn a_voice_or_language_that_there_is_not_is_told_with_what_is_meant() {
     for (name, performer, meant) in [
         ("slip", "voice='flite:rsm'", "did you mean rms?"),
         ("engine", "voice='flyte:rms'", "did you mean flite?"),
-        ("language", "language='Klingonisch'", "no tag of BCP 47"),
+        ("language", "language='Klingonisch'", "not a BCP 47 tag"),
     ] {
         let out = raconteur(&["bake"], &story(name, performer));
         let told = String::from_utf8_lossy(&out.stderr);

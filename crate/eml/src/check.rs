@@ -101,7 +101,7 @@ fn ignored_attribute(span: Span, message: &str) -> Diagnostic {
     Diagnostic::warning("eml::ignored-attribute", span, message)
 }
 
-/// An animation that a primitive lacks, or has without use.
+/// Reports an animation name that a track operation lacks, or has without effect.
 fn primitive_animation(primitive: &DeterministicPrimitive, tag_span: Span, sink: &mut Sink) {
     let is_reported = primitive.animation.is_none() && sink.concerns(tag_span);
     let needs = matches!(
@@ -206,7 +206,7 @@ fn references(clause: &Clause, own: Option<&(Index<'_>, Starts<'_>)>, sink: &mut
     }
 }
 
-/// The names of all players; one name is for one player.
+/// Returns the names of all animation players with their start tags; reports names used twice.
 fn players<'d>(playing: &[&'d Clause], sink: &mut Sink) -> Starts<'d> {
     let mut players = Starts::new();
     // A removed player may return under its name.
@@ -284,7 +284,8 @@ fn sets<'d>(sets: &'d [Set], sink: &mut Sink) -> Index<'d> {
     index
 }
 
-/// The cycles among sets, each by the sets in it; each set is in at most one.
+/// Returns the cycles among sets, each as the indices of its sets; every set is in at most one
+/// cycle.
 fn cycles(sets: &[Set], index: &Index<'_>) -> Vec<Vec<usize>> {
     #[derive(Clone, Copy, PartialEq)]
     enum State {

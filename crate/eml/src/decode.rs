@@ -6,7 +6,7 @@ use raconteur_base::encoding;
 use crate::parse::reject_binary;
 use crate::{Diagnostic, Limits, Parsed, Span, parse_with};
 
-/// Text of a script, with the encoding errors of its bytes.
+/// Script text decoded from bytes, with the diagnostic of encoding errors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Decoded {
     /// Text, with U+FFFD replacing bytes that are not UTF-8.

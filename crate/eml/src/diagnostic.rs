@@ -3,7 +3,7 @@
 use crate::Span;
 use std::collections::BTreeMap;
 
-/// Severity of a problem.
+/// Severity of a diagnostic: error or warning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Part of the document is lost: an element or a value was dropped. Names unknown to the
@@ -14,7 +14,7 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// `error` or `warning`.
+    /// Returns the name of the severity, `error` or `warning`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -24,16 +24,16 @@ impl Severity {
     }
 }
 
-/// A problem in a document and where it is.
+/// Problem found in a document, with its location, message and hints.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Machine-readable code of the problem: `eml::unknown-element` and so on.
     pub code: &'static str,
-    /// Severity.
+    /// Severity of the problem.
     pub severity: Severity,
-    /// Location.
+    /// Location in the source that the diagnostic is about.
     pub span: Span,
-    /// One sentence for people, without line numbers.
+    /// Message in one sentence, without line numbers.
     pub message: String,
     /// Hints for a fix.
     pub hints: Vec<String>,
@@ -42,7 +42,7 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// An error without hints.
+    /// Creates an error without hints.
     #[must_use]
     pub fn error(code: &'static str, span: Span, message: impl Into<String>) -> Self {
         Self {
@@ -55,7 +55,7 @@ impl Diagnostic {
         }
     }
 
-    /// A warning without hints.
+    /// Creates a warning without hints.
     #[must_use]
     pub fn warning(code: &'static str, span: Span, message: impl Into<String>) -> Self {
         Self {
@@ -64,7 +64,7 @@ impl Diagnostic {
         }
     }
 
-    /// The same with one more hint.
+    /// Returns the diagnostic with one more hint.
     #[must_use]
     pub fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hints.push(clipped(hint.into()));
@@ -106,7 +106,7 @@ pub fn thinned(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     sink.finish()
 }
 
-/// Those of one kind.
+/// Count of the diagnostics with one code: reported, and left out.
 #[derive(Debug, Default)]
 struct Kind {
     told: usize,
@@ -167,7 +167,7 @@ impl Sink {
         self.list.len() >= self.limit || told >= MAX_PER_KIND
     }
 
-    /// The diagnostics in the order of the text, then the counts of those left out.
+    /// Returns the diagnostics in source order, followed by the counts of those left out.
     pub(crate) fn finish(mut self) -> Vec<Diagnostic> {
         raconteur_base::order::sort_by_number(&mut self.list, |d| f64::from(d.span.start));
         for (code, kind) in self.kinds {

@@ -23,27 +23,27 @@ use crate::record::Record;
 use crate::{GestureKey, Name, Span, TimeExpr, VoiceText};
 use std::borrow::Cow;
 
-/// Index of a clause in [`Document::clauses`].
+/// Identifier of a clause: its index in [`Document::clauses`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ClauseId(pub u32);
 
 impl ClauseId {
-    /// The index into [`Document::clauses`].
+    /// Returns the index of the clause in [`Document::clauses`].
     #[must_use]
     pub fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// An EML script. Clauses are stored flat in document order, so walking, cloning and dropping never
-/// recurse; groups name their children.
+/// Parsed EML script. Clauses are stored flat in document order, so traversal, cloning and dropping
+/// never recurse; groups refer to their children.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// The `name` of the `eml` element.
     pub name: Option<String>,
     /// Adjustment for the preparation of its first gesture (extension); `None` if unspecified.
     pub run_up: Option<RunUp>,
-    /// Performer (extension).
+    /// Settings of the performing figure (extension); `None` if the script has none.
     pub performer: Option<Performer>,
     /// Span of the performer's start tag; empty if there is none.
     pub performer_span: Span,
@@ -51,7 +51,7 @@ pub struct Document {
     pub environment: Option<Environment>,
     /// The named sets of tracks (GEVH D.3.3).
     pub sets: Vec<Set>,
-    /// Every clause, nested ones included, each group before its children.
+    /// All clauses including nested ones, each group before its children.
     pub clauses: Vec<Clause>,
     /// The clauses directly in the body, in document order.
     pub roots: Vec<ClauseId>,
@@ -82,18 +82,18 @@ impl Document {
         })
     }
 
-    /// Every clause with its id, in document order.
+    /// Returns all clauses with their identifiers, in document order.
     pub fn iter(&self) -> impl Iterator<Item = (ClauseId, &Clause)> {
         (0..).map(ClauseId).zip(&self.clauses)
     }
 }
 
-/// One action at one time.
+/// Clause of a script: one action of speech, gesture, stage or lesson, with its start time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clause {
     /// The whole element, end tag included.
     pub span: Span,
-    /// The start tag.
+    /// Span of the start tag.
     pub tag_span: Span,
     /// Start time: absolute if it is a marker or the clause is in the body, else relative to its
     /// group (GEVH D.2.4, D.2.5).
@@ -106,7 +106,7 @@ pub struct Clause {
     pub kind: ClauseKind,
 }
 
-/// Kind of a clause, with its data.
+/// Kind of a clause (speech, gesture, animation, light, question and so on), with its data.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ClauseKind {
     /// Speaks a text (GEVH D.4.1).
@@ -124,9 +124,9 @@ pub enum ClauseKind {
     },
     /// Keeps the script running until its time (GEVH D.1.5).
     Null,
-    /// Its clauses one after another (GEVH D.2.4).
+    /// Sequence: its clauses are performed one after another (GEVH D.2.4).
     Seq(Group),
-    /// Its clauses together (GEVH D.2.5).
+    /// Parallel group: its clauses start together (GEVH D.2.5).
     Par(Group),
     /// Moves the whole figure along a function (GEVH D.1.6).
     VhMove(VhMove),
@@ -203,7 +203,7 @@ pub enum ClauseKind {
 }
 
 impl ClauseKind {
-    /// The name of the element.
+    /// Returns the name of the EML element.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -253,7 +253,7 @@ impl ClauseKind {
         }
     }
 
-    /// The attributes and children, when they are all that it consists of.
+    /// Returns the clause as a record of attributes and children; `None` if it has other content.
     pub(crate) fn record(&mut self) -> Option<&mut dyn Record> {
         let record: &mut dyn Record = match self {
             Self::VhMove(record) => record,
@@ -338,7 +338,7 @@ impl ClauseKind {
         }
     }
 
-    /// Returns the contained clauses, if any.
+    /// Returns the group of contained clauses; `None` for a clause without children.
     #[must_use]
     pub fn group(&self) -> Option<&Group> {
         match self {
@@ -352,7 +352,7 @@ impl ClauseKind {
         }
     }
 
-    /// As [`ClauseKind::group`].
+    /// Returns the mutable group of contained clauses, see [`ClauseKind::group`].
     pub(crate) fn group_mut(&mut self) -> Option<&mut Group> {
         match self {
             Self::Seq(group) | Self::Par(group) => Some(group),
@@ -365,14 +365,14 @@ impl ClauseKind {
         }
     }
 
-    /// Returns true if the contained clauses are sequential.
+    /// Returns true if the contained clauses are performed one after another.
     #[must_use]
     pub fn is_sequence(&self) -> bool {
         matches!(self, Self::Seq(_) | Self::Ask(_) | Self::Pool(_))
     }
 }
 
-/// The content of a seq or a par.
+/// Contained clauses of a seq, par or other group, with the number of repetitions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
     /// The clauses directly inside, in document order.
@@ -385,49 +385,50 @@ pub struct Group {
     pub iteration_secs: Option<f64>,
 }
 
-/// A question with the reactions to its answers.
+/// Question of a lesson with the reactions to its answers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ask {
-    /// The question.
+    /// Question to ask.
     pub question: Question,
     /// Reactions to its answers, sequential in the timeline; the one to perform is known only after
     /// the answer.
     pub answers: Group,
 }
 
-/// Clauses performed after certain answers.
+/// Reaction to certain answers of a question: clauses performed after them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Answer {
-    /// After which.
+    /// Answers that trigger the reaction.
     pub reaction: Reaction,
-    /// Its clauses, together.
+    /// Clauses of the reaction, performed in parallel.
     pub content: Group,
 }
 
-/// A part of the story.
+/// Named part of the story, a possible destination of a jump.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Part {
     /// Title of the part.
     pub heading: Heading,
-    /// Its clauses, together.
+    /// Clauses of the part, performed in parallel.
     pub content: Group,
 }
 
 /// Clauses performed under a condition; the timeline always reserves time for them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Branch {
-    /// Condition.
+    /// Condition under which the clauses are performed.
     pub condition: Condition,
-    /// Its clauses, together.
+    /// Clauses of the branch, performed in parallel.
     pub content: Group,
 }
 
-/// Clauses of which some are performed, drawn for each learner; the timeline reserves time for all.
+/// Pool of clauses from which some are drawn at random for each learner; the timeline reserves time
+/// for all.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pool {
-    /// Random draw.
+    /// Number of clauses to draw.
     pub draw: Draw,
-    /// Its clauses, one after another.
+    /// Clauses of the pool, performed in sequence.
     pub content: Group,
 }
 

@@ -5,8 +5,8 @@ use crate::voice::{Item, is_letter};
 use crate::{ClauseId, TextSegment, VoiceText};
 use std::ops::ControlFlow;
 
-/// Source of the durations of spoken texts and animations. The player takes them from a speech
-/// bundle and its library.
+/// Source of the durations of spoken texts and animations for a `Timeline`. The player takes them
+/// from a speech bundle and its library.
 pub trait Durations {
     /// Returns the timing of a clause's speech. The text is empty if the clause names a file or
     /// holds a SABLE document.
@@ -19,12 +19,12 @@ pub trait Durations {
     }
 }
 
-/// The times of one utterance, in seconds from its start.
+/// Times of the words and phones of one utterance, seconds from its start.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VoiceTiming {
-    /// Its length.
+    /// Duration of the utterance, seconds.
     pub duration_secs: f64,
-    /// One entry for each of [`VoiceText::words`].
+    /// Times of the words, one for each of [`VoiceText::words`].
     pub words: Vec<WordTime>,
     /// The phones in order; may be empty when they are not known.
     pub phones: Vec<PhoneTime>,
@@ -32,29 +32,29 @@ pub struct VoiceTiming {
     pub estimated: bool,
 }
 
-/// Time of a spoken word.
+/// Start and end of a spoken word within its utterance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WordTime {
-    /// Its start in seconds from the start of the utterance.
+    /// Start of the word, seconds from the start of the utterance.
     pub start_secs: f64,
-    /// Its end in seconds from the start of the utterance.
+    /// End of the word, seconds from the start of the utterance.
     pub end_secs: f64,
 }
 
-/// Time of a phone.
+/// Phone of an utterance with its start and end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhoneTime {
-    /// Its symbol in the phone set of its voice.
+    /// Symbol in the phone set of the voice.
     pub symbol: String,
-    /// Its start in seconds from the start of the utterance.
+    /// Start of the phone, seconds from the start of the utterance.
     pub start_secs: f64,
-    /// Its end in seconds from the start of the utterance.
+    /// End of the phone, seconds from the start of the utterance.
     pub end_secs: f64,
     /// Index of its word.
     pub word: usize,
 }
 
-/// Guesses durations from the text: for stories without a bundle and for tests.
+/// Estimates durations from the text, for stories without a speech bundle and for tests.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct EstimatedDurations;
 

@@ -96,8 +96,8 @@ fn is_variation(c: char) -> bool {
     matches!(c, '\u{fe0e}' | '\u{fe0f}' | '\u{1f3fb}'..='\u{1f3ff}')
 }
 
-/// The emotion of a token that is an emoticon with at most punctuation around it, and the
-/// punctuation behind it.
+/// Returns the emotion of a token that is an emoticon with at most punctuation around it, and the
+/// punctuation after it.
 #[must_use]
 pub fn whole(token: &str) -> Option<(&'static str, &str)> {
     // No sign is empty, and every sign begins with one of these characters.
@@ -142,8 +142,8 @@ fn each_emoji(token: &str, visit: &mut dyn FnMut(&'static str, usize)) {
     }
 }
 
-/// The emotions of the emoji of a token, before its first letter or digit and behind it; the
-/// same one several times in a row is one.
+/// Returns the emotions of a token's emoji, before its first letter or digit and after it;
+/// consecutive repetitions count once.
 #[must_use]
 pub fn of_emoji(token: &str) -> [Vec<&'static str>; 2] {
     let mut found = [Vec::new(), Vec::new()];
@@ -166,7 +166,8 @@ pub fn without_emoji(token: &str) -> Option<String> {
     Some(token.chars().filter(|c| !is_emoji(*c)).collect())
 }
 
-/// Finds emoticons of F&H table 4.1 that are written with spaces: remembers the last tokens.
+/// Detector of emoticons of F&H table 4.1 that are written with spaces; it remembers the last
+/// tokens.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spaced {
     /// The last tokens without a letter or a digit, one behind the other.
@@ -176,10 +177,10 @@ pub struct Spaced {
 }
 
 impl Spaced {
-    /// As long as the longest sign.
+    /// Number of tokens of the longest spaced emoticon.
     const MAX_SIGN_TOKENS: usize = 4;
 
-    /// Any other character separates the tokens before and after it.
+    /// Resets the detector at any other character, which separates the tokens around it.
     pub fn separate(&mut self) {
         *self = Self::default();
     }

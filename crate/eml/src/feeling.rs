@@ -5,14 +5,15 @@ use crate::emoticon::is_emoji;
 use crate::voice::Item;
 use std::ops::ControlFlow;
 
-/// An emoticon or an emoji of a spoken text. Words are indices of [`VoiceText::words`].
+/// Emoticon or emoji in a spoken text, with the phrase on which its emotion is expressed. Words are
+/// indices of [`VoiceText::words`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Emoticon {
     /// The word of its emotion.
     pub name: &'static str,
     /// Index of the following word; at the end, the number of words.
     pub before: usize,
-    /// Its emotion begins with this word …
+    /// First word on which the emotion is expressed.
     pub first_word: usize,
     /// … and ends with this one: the borders of its phrase, or, between two phrases, of both.
     pub last_word: usize,

@@ -25,19 +25,19 @@ words! {
 words! {
     /// The course between two keys (GEVH 3.5.1; extension).
     Interpolator {
-        /// At constant pace.
+        /// Constant speed.
         Linear = "linear",
         /// Slow at both ends.
         Cosine = "cosine",
-        /// By a Bézier curve from (0, 0) to (1, 1) with two control points.
+        /// Bézier curve from (0, 0) to (1, 1) with two control points.
         Bezier = "bezier",
-        /// By a Hermite curve from 0 to 1 with a slope at each end.
+        /// Hermite curve from 0 to 1 with a slope at each end.
         Hermite = "hermite",
     }
 }
 
 impl Interpolator {
-    /// Returns the number of its control values.
+    /// Returns the number of control values of the interpolation.
     #[must_use]
     pub fn controls(self) -> usize {
         match self {
@@ -64,15 +64,15 @@ record! {
     Profile = "" {
         /// The course.
         interpolator: Option<Interpolator> = "interpolation",
-        /// Its control values: x and y of both points, or both slopes.
+        /// Control values of the interpolation: x and y of both points, or both slopes.
         controls: Option<Vec<f64>> = "controls",
         /// The interpolated quantity.
         space: Option<Space> = "space",
     }
 }
 
-/// Moves hands through shapes, palm orientations and positions. A track that is
-/// missing leaves that feature as it was.
+/// Gesture clause: moves hands through hand shapes, palm orientations and positions. A feature
+/// without a track stays unchanged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GestureKey {
     /// Length in seconds, at least 0.
@@ -92,10 +92,10 @@ pub struct GestureKey {
     pub motions: Box<[Track<MotionKey>]>,
 }
 
-/// Hands used by a gesture.
+/// Hands that perform a gesture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Handedness {
-    /// Both hands.
+    /// Left and right hand.
     #[default]
     Both,
     /// The left hand.
@@ -110,7 +110,7 @@ pub enum Handedness {
 }
 
 impl Handedness {
-    /// Every value with its word.
+    /// All values with their EML words.
     pub(crate) const WORDS: [(Self, &'static str); 5] = [
         (Self::Both, "both"),
         (Self::Left, "left"),
@@ -138,7 +138,7 @@ impl Handedness {
     }
 }
 
-/// The course of one feature.
+/// Keyed values of one feature of a gesture (hand shape, palm or position) for one hand or both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track<K> {
     /// Hand to move. `None`: every hand that takes part; palms and motion are then given for the
@@ -148,33 +148,33 @@ pub struct Track<K> {
     pub keys: Vec<Key<K>>,
     /// Transition between the keys; `None`: chosen by the gesture planner.
     pub profile: Option<Box<Profile>>,
-    /// The whole element.
+    /// Span of the whole element.
     pub span: Span,
 }
 
-/// A value to reach at a time.
+/// Key of a gesture track: value to reach at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key<K> {
     /// Seconds after the start of the gesture-key, at least 0.
     pub offset_secs: f64,
-    /// Target value.
+    /// Value to reach at the key.
     pub value: K,
     /// Transition to it; `None`: that of the track.
     pub profile: Option<Box<Profile>>,
-    /// The whole element.
+    /// Span of the whole element.
     pub span: Span,
 }
 
-/// A hand shape of Portuguese Sign Language.
+/// Hand shape of Portuguese Sign Language to reach, optionally blended with a second one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ShapeKey {
-    /// Its number, 0 to 60.
+    /// Number of the hand shape, 0 to 60.
     pub id: u8,
     /// A second shape and its share, 0 to 1 (extension).
     pub blend: Option<(u8, f64)>,
 }
 
-/// A palm orientation.
+/// Palm orientation to reach: axis and angle about it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PalmKey {
     /// Angle about the axis in degrees, left-hand rule.
@@ -184,7 +184,7 @@ pub struct PalmKey {
     pub axis: [f64; 3],
 }
 
-/// A position of the wrist.
+/// Wrist position to reach, with the origin of its coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotionKey {
     /// Position, in skeleton units: x left, y up, z back. Finite.
@@ -193,7 +193,7 @@ pub struct MotionKey {
     pub coords: Coords,
 }
 
-/// The origin of positions (GEVH appendix C).
+/// Origin of wrist positions: speaker or world (GEVH appendix C).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Coords {
     /// The speaker's pelvis.

@@ -6,7 +6,7 @@ use crate::{Diagnostic, Span};
 /// Hints that are looked for in one document, which bounds their cost.
 const MAX_LOOKS: usize = 64;
 
-/// Number of suggestions that may still be searched.
+/// Number of name suggestions that may still be searched; limits the work for hints.
 #[derive(Default)]
 pub(crate) struct SuggestionBudget(usize);
 

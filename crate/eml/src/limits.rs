@@ -1,6 +1,6 @@
 //! Limits on the cost of a document.
 
-/// Limits on the cost of a document.
+/// Limits on the size and processing cost of a document, against hostile input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Length of the source in bytes; longer ones are refused. Default 16 MiB.

@@ -15,7 +15,8 @@ pub const EXTENSIONS_PREFIX: &str = "r";
 /// Bounds the work of looking a prefix up.
 const MAX_BINDINGS: usize = 64;
 
-/// Owner of a name with or without a prefix.
+/// Owner of an element or attribute name: the language, its extensions, a foreign namespace, or
+/// none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Owner {
     /// The language itself.
@@ -28,7 +29,7 @@ pub(crate) enum Owner {
     Unbound,
 }
 
-/// The bindings of a document, outer ones first.
+/// Namespace bindings in scope at a point of a document, outer ones first.
 #[derive(Debug)]
 pub(crate) struct Namespaces<'a> {
     bindings: Vec<Binding<'a>>,
@@ -51,7 +52,7 @@ struct Binding<'a> {
 }
 
 impl<'a> Namespaces<'a> {
-    /// Those of a text that has not been read.
+    /// Creates the bindings for a text before it is parsed.
     pub(crate) fn new(source: &str) -> Self {
         Self {
             bindings: Vec::new(),
@@ -153,13 +154,14 @@ impl<'a> Namespaces<'a> {
     }
 }
 
-/// A name without its prefix.
+/// Returns a name without its prefix.
 pub(crate) fn local_name(name: &str) -> &str {
     let colon = name.bytes().position(|b| b == b':');
     colon.map_or(name, |at| &name[at + 1..])
 }
 
-/// The prefix that an attribute binds.
+/// Returns the prefix that a namespace attribute binds, empty for the default namespace; `None` for
+/// any other attribute.
 fn bound_by(name: &str) -> Option<&str> {
     match name.strip_prefix("xmlns")? {
         "" => Some(""),

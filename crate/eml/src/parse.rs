@@ -10,7 +10,7 @@ use crate::syntax;
 use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Limits, Span, TimeExpr};
 use raconteur_base::encoding;
 
-/// A parsed document with the problems of its text.
+/// Parsed document with the diagnostics of its text.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parsed {
     /// The document, without unreadable parts.
@@ -26,7 +26,7 @@ pub fn parse(source: &str) -> Parsed {
     parse_with(source, &Limits::default())
 }
 
-/// Reads a script.
+/// Parses a script with the given limits.
 #[must_use]
 pub fn parse_with(source: &str, limits: &Limits) -> Parsed {
     read(source, limits, false)
@@ -39,7 +39,7 @@ pub fn parse_fragment(source: &str) -> Parsed {
     parse_fragment_with(source, &Limits::default())
 }
 
-/// [`parse_fragment`] with other limits.
+/// Parses a fragment with the given limits, see [`parse_fragment`].
 #[must_use]
 pub fn parse_fragment_with(source: &str, limits: &Limits) -> Parsed {
     read(source, limits, true)
@@ -85,12 +85,12 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
             document: &mut document,
             limits,
             source_bytes: source.len(),
-            told_clauses: taken.told_clauses,
+            reported_clauses: taken.told_clauses,
             is_fragment: fragment,
             placed: None,
         };
         cx.read_early(node, &mut taken);
-        taken.told_clauses = cx.told_clauses;
+        taken.told_clauses = cx.reported_clauses;
     });
     namespaces.finish(&tree, &mut sink);
     let mut cx = Context {
@@ -100,7 +100,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         limits,
         source_bytes: source.len(),
         namespaces: &namespaces,
-        told_clauses: taken.told_clauses,
+        reported_clauses: taken.told_clauses,
         is_fragment: fragment,
         placed: None,
     };
@@ -314,7 +314,7 @@ impl Context<'_> {
         parent: Option<ClauseId>,
     ) -> Option<ClauseId> {
         if self.document.clauses.len() >= self.limits.clauses {
-            if !std::mem::replace(&mut self.told_clauses, true) {
+            if !std::mem::replace(&mut self.reported_clauses, true) {
                 let message = format!(
                     "more than {} clauses; the rest is dropped",
                     self.limits.clauses
@@ -443,8 +443,8 @@ impl Context<'_> {
         clauses.push(clause);
     }
 
-    /// A clause right in the body without a time starts at 0, which is seldom meant;
-    /// the example of GEVH D.1.4 shows that events may do so.
+    /// Warns about a top-level clause without a time: it starts at 0, which is seldom intended.
+    /// Events are exempt, as in the example of GEVH D.1.4.
     fn warn_of_missing_time(&mut self, fields: &Fields<'_>, parent: Option<ClauseId>) {
         let exempt = fields.element.name == "event";
         if parent.is_none() && !exempt && !fields.has("time") {

@@ -3,15 +3,15 @@
 
 use crate::{Name, Span};
 
-/// The value of an attribute, read by its kind in the table.
+/// Value of an attribute, parsed by its kind in the schema table.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Value {
-    /// Left out.
+    /// Absent value.
     None,
     Text(Name),
     Number(f64),
     Flag(bool),
-    /// One of the table's words.
+    /// Word from the attribute's choices in the table.
     Word(&'static str),
     /// A change in percent.
     Percent(f64),
@@ -19,7 +19,7 @@ pub(crate) enum Value {
     Color([u8; 3]),
 }
 
-/// Storage of the value of one attribute.
+/// Field of a record that stores the value of one attribute.
 pub(crate) trait Field {
     /// Sets a value of the kind declared in the table.
     fn set(&mut self, value: Value);
@@ -27,9 +27,10 @@ pub(crate) trait Field {
     fn get(&self) -> Value;
 }
 
-/// An element with attributes and children.
+/// EML element with attributes and children that is read, written and generated generically by a
+/// visitor.
 pub(crate) trait Record {
-    /// The name of its element.
+    /// Returns the name of the EML element.
     fn element(&self) -> &'static str;
     /// Shows every field and every list of children to the visitor.
     fn visit(&mut self, visitor: &mut dyn Visit);
@@ -37,15 +38,15 @@ pub(crate) trait Record {
     fn place(&mut self, _span: Span) {}
 }
 
-/// Visitor of a record.
+/// Visitor that processes the attributes and children of a record.
 pub(crate) trait Visit {
-    /// An attribute by its name in the table.
+    /// Visits an attribute by its name in the schema table.
     fn field(&mut self, name: &'static str, field: &mut dyn Field);
-    /// Child elements, in order.
+    /// Visits the list of child elements, in order.
     fn children(&mut self, list: &mut dyn List);
 }
 
-/// Children of a record.
+/// List of child records that a visitor can extend or read.
 pub(crate) trait List {
     /// Adds an empty child with this element's name; `None` if the list has no such child.
     fn add(&mut self, element: &str) -> Option<&mut dyn Record>;
@@ -55,7 +56,7 @@ pub(crate) trait List {
     fn item_mut(&mut self, index: usize) -> Option<&mut dyn Record>;
 }
 
-/// A kind of child.
+/// Record that can be created as a child of another record by its element name.
 pub(crate) trait Child: Record + Sized {
     /// Returns an empty child, if `element` is such a child.
     fn blank(element: &str) -> Option<Self>;
@@ -156,11 +157,11 @@ macro_rules! words {
         }
 
         impl $name {
-            /// The words of all values, in their order.
+            /// Words of all values, in the order of the variants.
             pub const WORDS: &'static [&'static str] = &[$first_word, $($word),*];
             const ALL: &'static [Self] = &[Self::$first, $(Self::$variant),*];
 
-            /// The word that EML writes for it.
+            /// Returns the EML word of the value.
             #[must_use]
             pub fn word(self) -> &'static str {
                 Self::WORDS[self as usize]

@@ -2,7 +2,7 @@
 
 use std::borrow::Borrow;
 
-/// Entries by key. Made in one go where a tree would allocate for every few entries.
+/// Map stored as a list sorted by key; built in one step and then mostly read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SortedMap<K, V> {
     entries: Vec<(K, V)>,
@@ -23,7 +23,7 @@ impl<K: Ord, V> SortedMap<K, V> {
         Self { entries }
     }
 
-    /// The value of a key. O(log n).
+    /// Returns the value of a key, or `None`. O(log n).
     #[must_use]
     pub fn get<Q: Ord + ?Sized>(&self, key: &Q) -> Option<&V>
     where
@@ -34,12 +34,12 @@ impl<K: Ord, V> SortedMap<K, V> {
         (found.borrow() == key).then_some(value)
     }
 
-    /// The entries by key.
+    /// Returns the entries sorted by key.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (&K, &V)> {
         self.entries.iter().map(|(key, value)| (key, value))
     }
 
-    /// The values by key, to be changed.
+    /// Returns the values in key order, mutably.
     pub fn values_mut(&mut self) -> impl ExactSizeIterator<Item = &mut V> {
         self.entries.iter_mut().map(|(_, value)| value)
     }

@@ -1,6 +1,6 @@
 //! Byte spans and their translation to lines and columns.
 
-/// A range of bytes in the source text, `start` included and `end` excluded.
+/// Range of bytes in the source text, `start` included and `end` excluded; locates diagnostics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Span {
     /// Offset of the first byte.
@@ -10,14 +10,14 @@ pub struct Span {
 }
 
 impl Span {
-    /// The span from `start` to `end`.
+    /// Creates the span from `start` to `end`, bytes.
     #[must_use]
     pub fn new(start: u32, end: u32) -> Self {
         Self { start, end }
     }
 
-    /// The span from byte `start` to byte `end` of a source. Sources are limited to
-    /// less than 4 GiB before they are read.
+    /// Creates the span from byte `start` to byte `end` of a source, which is limited to less than
+    /// 4 GiB.
     pub(crate) fn from_offsets(start: usize, end: usize) -> Self {
         debug_assert!(start.max(end) <= u32::MAX as usize);
         Self {
@@ -26,7 +26,7 @@ impl Span {
         }
     }
 
-    /// Returns the smallest span that contains both.
+    /// Returns the smallest span that contains both spans.
     #[must_use]
     pub fn to(self, other: Self) -> Self {
         Self {
@@ -44,7 +44,7 @@ impl Span {
     }
 }
 
-/// A position in a text: line and column both start at 1.
+/// Line and column of a character in a text; both start at 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Position {
     /// The line, from 1.
@@ -53,8 +53,8 @@ pub struct Position {
     pub column: u32,
 }
 
-/// Finds lines and columns of byte offsets: O(n) to build, O(log lines) a question, however
-/// long a line is.
+/// Index that converts byte offsets to lines and columns. O(n) to build, O(log lines) per query,
+/// for lines of any length.
 #[derive(Clone, Debug)]
 pub struct LineIndex<'a> {
     source: &'a str,
@@ -74,7 +74,7 @@ struct Count {
 }
 
 impl Count {
-    /// With those that begin in more bytes.
+    /// Returns the count increased by the characters that begin in `bytes`.
     fn and(self, bytes: &[u8]) -> Self {
         let begin = bytes.iter().filter(|&&b| b & 0xc0 != 0x80).count();
         // Four bytes in UTF-8 are two units in UTF-16.
@@ -109,8 +109,8 @@ impl<'a> LineIndex<'a> {
         }
     }
 
-    /// Line and column in characters (Unicode scalar values). An offset past the
-    /// end counts as the end, one inside a character as the start of it.
+    /// Returns line and column in characters (Unicode scalar values). An offset past the end counts
+    /// as the end, one inside a character as its start.
     #[must_use]
     pub fn position(&self, offset: u32) -> Position {
         let (line, start, end) = self.split(offset);
@@ -121,7 +121,7 @@ impl<'a> LineIndex<'a> {
         }
     }
 
-    /// Line and column in UTF-16 code units, as browsers and editors count.
+    /// Returns line and column in UTF-16 code units, as browsers and editors count.
     #[must_use]
     pub fn position_utf16(&self, offset: u32) -> Position {
         let (line, start, end) = self.split(offset);
@@ -141,7 +141,7 @@ impl<'a> LineIndex<'a> {
         start.unwrap_or_else(|| count(self.source.len()))
     }
 
-    /// The text of a line, from 1, without its line end.
+    /// Returns the text of a line, from 1, without its line end; empty if there is no such line.
     #[must_use]
     pub fn line_text(&self, line: u32) -> &'a str {
         let index = line.saturating_sub(1) as usize;
@@ -205,7 +205,7 @@ mod tests {
     }
 
     proptest! {
-        /// As counted character by character, in lines of any length.
+        /// Checks positions against a character-by-character count, in lines of any length.
         #[test]
         fn positions_are_those_of_the_naive_count(
             text in "([a-zé€😀]{0,40}|\n|\r\n){0,200}", at in any::<prop::sample::Index>(),

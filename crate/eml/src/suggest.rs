@@ -27,7 +27,8 @@ pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) ->
         .map(|(_, c)| c)
 }
 
-/// The candidates, those nearest to `name` first; as they are where the name is absurdly long.
+/// Returns the candidates sorted by edit distance to `name`, nearest first; unsorted if the name is
+/// absurdly long.
 pub(crate) fn by_distance<'c>(
     name: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -43,8 +44,8 @@ fn capitals(name: &str) -> usize {
     name.bytes().filter(u8::is_ascii_uppercase).count()
 }
 
-/// Edit distance with neighbouring swaps as one edit (optimal string alignment), over
-/// bytes in lower case.
+/// Returns the edit distance with neighbouring swaps as one edit (optimal string alignment), over
+/// lower-case bytes.
 fn distance(a: &str, b: &str) -> usize {
     step(a.len() * b.len());
     let a = a.to_ascii_lowercase().into_bytes();

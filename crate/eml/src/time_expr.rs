@@ -3,18 +3,18 @@
 use crate::{Name, Span};
 use std::borrow::Cow;
 
-/// A sum of seconds and named markers.
+/// Time expression: a sum of seconds and named markers, for example `t1+2.5s`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TimeExpr {
     /// The sum of its numbers in seconds.
     pub offset_secs: f64,
-    /// Its names in the order of the text; empty for a plain number.
+    /// Named markers in source order; empty for a plain number.
     pub names: Vec<NameTerm>,
     /// Span in the source; that of the start tag if the expression is absent.
     pub span: Span,
 }
 
-/// A named marker in a [`TimeExpr`].
+/// Named marker in a [`TimeExpr`], added or subtracted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NameTerm {
     /// Name given by a `timeId` or a `tm`.
@@ -37,7 +37,7 @@ impl TimeExpr {
 /// Maximum number of seconds in a document, about 11 days. It keeps sums and repetitions finite.
 pub(crate) const MAX_SECS: f64 = 1e6;
 
-/// A fault of an expression.
+/// Error in a time expression, with its code, range and hint.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Problem {
     pub(crate) code: &'static str,
@@ -128,8 +128,8 @@ pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
     }
 }
 
-/// An expression as most of those with a name are: the name, and a plain number that is
-/// added or subtracted.
+/// Parses a time expression in its most common form, a name with an added or subtracted plain
+/// number; otherwise `None`.
 fn moment(text: &str, start: u32) -> Option<TimeExpr> {
     let bytes = text.as_bytes();
     let in_name = |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'.');
@@ -167,7 +167,7 @@ pub(crate) fn unsigned(text: &str) -> Option<f64> {
     is_plain.then(|| text.parse().ok()).flatten()
 }
 
-/// The seconds of an expression that is a plain number, as nearly every one is.
+/// Parses a time expression that is a plain number, seconds; otherwise `None`.
 fn plain(text: &str) -> Option<f64> {
     unsigned(text).filter(|&secs| secs <= MAX_SECS)
 }
@@ -231,7 +231,7 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// A number and its unit, in seconds.
+    /// Parses a number with its unit and returns seconds.
     fn seconds(&mut self) -> Result<f64, Problem> {
         let start = self.position;
         self.take(|c| c.is_ascii_digit() || c == '.');

@@ -14,7 +14,8 @@ pub(crate) const NO_EMPHASIS: f64 = 0.5;
 /// SABLE's `moderate`: from here on a word counts as emphasised.
 pub(crate) const MODERATE_EMPHASIS: f64 = 1.0;
 
-/// The content of a voice-text in document order.
+/// Spoken text of a clause as segments in document order: text, breaks, audio, markup and time
+/// markers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VoiceText {
     /// Segments of the text.
@@ -22,7 +23,7 @@ pub struct VoiceText {
 }
 
 impl VoiceSay {
-    /// Its text; empty when it is a file or a document of SABLE.
+    /// Returns the spoken text; empty if the content is a file or a SABLE document.
     #[must_use]
     pub fn text(&self) -> VoiceText {
         let mut pieces = Vec::new();
@@ -43,7 +44,7 @@ impl VoiceSay {
     }
 }
 
-/// A segment of spoken text.
+/// Segment of a spoken text: text, break, recording, markup or time marker.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TextSegment {
     /// Characters. They equal the source under `span`, unless it is one resolved reference such as
@@ -108,16 +109,16 @@ pub enum TextSegment {
     },
 }
 
-/// Kind of a division.
+/// Kind of a text division: sentence or paragraph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DivKind {
-    /// One sentence.
+    /// Division that is one sentence.
     Sentence,
-    /// One paragraph.
+    /// Division that is one paragraph.
     Paragraph,
 }
 
-/// Event of a word that a marker names.
+/// Event of a word that a time marker refers to: start, end or a phone.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MarkEvent {
     /// The start of the word.
@@ -129,28 +130,29 @@ pub enum MarkEvent {
     OnPhone(Box<Name>),
 }
 
-/// A spoken word: a token between white space that contains a letter or a digit and is no emoticon.
+/// Spoken word: a token between white space that contains a letter or a digit and is not an
+/// emoticon.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Word {
     /// Text in captions: the token, punctuation attached, without emoji, and with the separate
     /// signs that belong to it: "5 %".
     pub text: String,
-    /// From its first to its last byte in the source; markup inside is included.
+    /// Span from the first to the last byte of the word in the source, including markup inside it.
     pub span: Span,
     /// True if any part of it is emphasised at least moderately.
     pub emphasized: bool,
 }
 
-/// A time marker and the word it belongs to.
+/// Time marker in a spoken text, with the word that it belongs to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// The name.
+    /// Name of the marker, used in time expressions.
     pub name: Name,
     /// Event of the word.
     pub event: MarkEvent,
     /// Index of the next word, or the number of words if none follows.
     pub word: usize,
-    /// The element.
+    /// Span of the marker element.
     pub span: Span,
 }
 
@@ -189,7 +191,7 @@ impl VoiceText {
         words
     }
 
-    /// The time markers in order, each with its word.
+    /// Returns the time markers in order, each with its word.
     #[must_use]
     pub fn marks(&self) -> Vec<Mark> {
         let mut marks = Vec::new();
@@ -217,7 +219,7 @@ impl VoiceText {
         });
     }
 
-    /// The text with every run of white space as one space, markup left out.
+    /// Returns the text without markup, with every run of white space as one space.
     #[must_use]
     pub fn plain_text(&self) -> String {
         let mut out = String::new();
@@ -250,7 +252,7 @@ impl VoiceText {
         out
     }
 
-    /// Returns true if it has time markers.
+    /// Returns true if the text contains time markers.
     #[must_use]
     pub fn has_marks(&self) -> bool {
         self.pieces
@@ -258,7 +260,7 @@ impl VoiceText {
             .any(|p| matches!(p, TextSegment::Mark { .. }))
     }
 
-    /// Returns true if it contains a word.
+    /// Returns true if the text contains a word.
     #[must_use]
     pub fn has_words(&self) -> bool {
         self.pieces.iter().any(|p| match p {

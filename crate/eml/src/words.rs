@@ -41,7 +41,7 @@ pub(crate) fn enforce_limits(document: &mut Document, limits: &Limits, sink: &mu
     }
 }
 
-/// No piece has more words than this.
+/// Returns an upper bound of the number of words in a segment.
 fn most_words(piece: &TextSegment) -> usize {
     match piece {
         TextSegment::Text { text, .. } => text.len().div_ceil(2),
@@ -166,7 +166,7 @@ mod tests {
         )
     }
 
-    /// A word, perhaps with markup in or around it.
+    /// Generates a word, perhaps with markup in or around it, for property tests.
     fn word() -> impl Strategy<Value = String> {
         prop::sample::select(vec![
             "word",

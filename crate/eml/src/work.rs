@@ -44,7 +44,7 @@ mod tests {
     use crate::{EstimatedDurations, Limits, Timeline, parse_bytes};
     use proptest::prelude::*;
 
-    /// The steps of reading, checking and resolving.
+    /// Returns the number of work steps for parsing, checking and resolving a document, for tests.
     fn steps(source: &[u8]) -> usize {
         steps_of(|| {
             let parsed = parse_bytes(source, &Limits::default());

@@ -111,7 +111,7 @@ fn a_value_beyond_its_range_is_told_once() {
                 one_problem(&with(element, attribute, &value));
                 checked += 1;
             }
-            for beside in attribute.beside {
+            for beside in attribute.conditional_kinds {
                 let text = whole_example(element.example);
                 assert!(text.contains(beside.attribute), "{text}");
                 for value in beyond(beside.kind) {

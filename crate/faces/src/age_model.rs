@@ -13,7 +13,8 @@ const KNOWN_YEARS: core::ops::RangeInclusive<f64> = 8.0..=80.0;
 /// Number of regression terms formed from age and sex.
 const TERMS: usize = 6;
 
-/// Of years, and of a sex from 0 (male) to 1.
+/// Returns the growth and ageing terms of the age model for an age in years and a sex from 0 (male)
+/// to 1 (female).
 fn terms(years: f64, sex: f64) -> [f64; TERMS] {
     let years = years.clamp(*KNOWN_YEARS.start(), *KNOWN_YEARS.end());
     let growth = (GROWN_YEARS - years).max(0.0) / GROWN_YEARS;
@@ -28,7 +29,8 @@ fn terms(years: f64, sex: f64) -> [f64; TERMS] {
     ]
 }
 
-/// Linear model of the change of face-space coefficients with age.
+/// Linear model of the change of face-space coefficients with age and sex; used to make a face
+/// older or younger.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AgeModel {
     /// Coefficients added by one unit of each age and sex term; empty if the model has no age data.

@@ -6,10 +6,11 @@ mod apart;
 use crate::error::FaceError;
 use crate::space::FaceSpace;
 
-/// An attribute of shape or of texture.
+/// Facial attribute (F&H 3.2.2): a direction in the face space along which one property of shape or
+/// texture changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attribute {
-    /// Its name, for example `narrow–wide mouth`.
+    /// Name of the attribute, for example `narrow–wide mouth`.
     pub name: String,
     /// Δs of equation 3.4 in the coefficients of its space.
     direction: Vec<f64>,
@@ -49,7 +50,7 @@ impl Attribute {
         Self::along(name, space, direction)
     }
 
-    /// The attribute along a direction that is known, in coefficients.
+    /// Creates an attribute from a known direction in face-space coefficients.
     ///
     /// # Errors
     /// When the direction is none.
@@ -70,7 +71,7 @@ impl Attribute {
         }
     }
 
-    /// The direction, in coefficients.
+    /// Returns the direction of the attribute, in face-space coefficients.
     #[must_use]
     pub fn direction(&self) -> &[f64] {
         &self.direction

@@ -76,7 +76,7 @@ fn half(name: Option<&str>) -> Result<Option<Half>, JsError> {
     }
 }
 
-/// Three numbers that are finite.
+/// Converts a list to three finite numbers; an error otherwise.
 fn three(numbers: &[f64]) -> Result<[f64; 3], JsError> {
     let all: Result<[f64; 3], _> = numbers.try_into();
     all.ok()
@@ -95,7 +95,7 @@ fn finite(number: f64) -> Result<f64, JsError> {
 /// Names of segments and of a half, and the region that they are.
 type AskedRegion = ((Vec<String>, Option<String>), Region);
 
-/// A face model and a face that is edited.
+/// Face model and a face that is being edited, for web pages.
 #[wasm_bindgen]
 pub struct Faces {
     editor: Editor,
@@ -135,7 +135,7 @@ impl Faces {
         Ok(())
     }
 
-    /// Returns the contents of the pack.
+    /// Returns the contents of the pack (attributes, segments, faces) as a JavaScript object.
     pub fn contents(&self) -> Result<JsValue, JsError> {
         let model = self.editor.model();
         let entries = [(Part::Shape, "shape"), (Part::Texture, "texture")].into_iter();
@@ -171,7 +171,7 @@ impl Faces {
         Ok(contents.serialize(&Serializer::json_compatible())?)
     }
 
-    /// The average face.
+    /// Replaces the edited face by the average one.
     pub fn average(&mut self) {
         self.face = self.editor.average();
     }
@@ -181,7 +181,7 @@ impl Faces {
         self.face = self.editor.random(u64::from(seed));
     }
 
-    /// A face of the database.
+    /// Replaces the edited face by a face of the database.
     pub fn example(&mut self, index: usize) -> Result<(), JsError> {
         self.face = self.editor.example(index)?;
         Ok(())
@@ -222,7 +222,7 @@ impl Faces {
         self.editor.random_person(u64::from(seed))
     }
 
-    /// Returns the face's value of an attribute.
+    /// Returns the value of an attribute for the edited face.
     pub fn value(&self, of: &str, name: &str) -> Result<f64, JsError> {
         Ok(self.editor.value(&self.face, part(of)?, name)?)
     }
@@ -395,7 +395,7 @@ impl Faces {
         Ok(())
     }
 
-    /// The face as bytes, to the bit.
+    /// Returns the edited face as bytes, without any loss.
     pub fn keep(&self) -> Vec<u8> {
         let parts = [&self.face.shape, &self.face.organs, &self.face.texture];
         let mut bytes = Vec::with_capacity(8 * parts.iter().map(|part| part.len()).sum::<usize>());

@@ -8,7 +8,7 @@
 use core::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Vertex adjacency lists.
+/// Adjacency lists of a mesh: the neighbours of each vertex; used to smooth masks and differences.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VertexNeighbours {
     /// Start of each vertex's neighbours in `list`; one entry more than there are vertices.
@@ -86,13 +86,13 @@ impl VertexNeighbours {
         out
     }
 
-    /// Returns the number of vertices.
+    /// Returns the number of vertices in the mesh.
     #[must_use]
     pub fn vertices(&self) -> usize {
         self.starts.len() - 1
     }
 
-    /// A mask with borders as wide as each band is coarse.
+    /// Returns a mask with borders softened for each frequency band, wider for coarser bands.
     ///
     /// # Panics
     /// When the mask is not of these vertices.
@@ -180,7 +180,8 @@ impl VertexNeighbours {
     }
 }
 
-/// A mask over vertices, softened for each band.
+/// Mask over vertices, softened separately for each frequency band; limits a change of a face to
+/// segments.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SoftMask(Vec<Vec<f64>>);
 
@@ -210,7 +211,7 @@ mod tests {
 
     const SIDE: usize = 120;
 
-    /// A square of triangles.
+    /// Returns the adjacency of a square grid of triangles, for tests.
     fn grid() -> VertexNeighbours {
         let at = |x: usize, y: usize| (y * SIDE + x) as u32;
         let squares = (0..SIDE - 1).flat_map(|y| (0..SIDE - 1).map(move |x| (x, y)));

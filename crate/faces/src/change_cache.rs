@@ -70,7 +70,7 @@ impl SparseChange {
     }
 }
 
-/// Cache of changes by request key, most recent last.
+/// Cache of face changes by request key, most recent last.
 #[derive(Debug, Default)]
 pub(crate) struct ChangeCache {
     changes: Vec<(String, SparseChange)>,

@@ -27,7 +27,7 @@ pub use constrain::Constraint;
 pub use learn::FeatureMeasure;
 pub use region::Region;
 
-/// Shape or texture.
+/// Part of a face that is edited separately: shape or texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Geometry of the skin.
@@ -36,7 +36,7 @@ pub enum Part {
     Texture,
 }
 
-/// A face.
+/// Face as vertex positions, inner parts and texture; the object that an [`Editor`] changes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Face {
     /// x, y and z of each vertex of the skin, metres, frame of the head.
@@ -48,7 +48,7 @@ pub struct Face {
     pub texture: Vec<f64>,
 }
 
-/// A change of a face: numbers to add to those of a [`Face`].
+/// Change of a face: numbers to add to those of a [`Face`], scaled by an amount.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
     part: Part,
@@ -56,7 +56,8 @@ pub struct Change {
     organs: Vec<f64>,
 }
 
-/// Face model with the precomputed data for editing.
+/// Face model with precomputed data for editing faces (F&H 5.1): attributes, imported features,
+/// caricatures and moves.
 ///
 /// # Examples
 ///
@@ -89,7 +90,7 @@ const OF_PERSONS: [&str; 3] = ["overall", "ethnicity", "life"];
 pub const USUAL_DETAIL: f64 = 0.7;
 
 impl Editor {
-    /// For the faces of a model.
+    /// Creates an editor for the faces of a model.
     ///
     /// # Errors
     /// When its triangles are not of its vertices.
@@ -112,13 +113,13 @@ impl Editor {
         })
     }
 
-    /// The model.
+    /// Returns the face model.
     #[must_use]
     pub fn model(&self) -> &FaceModel {
         &self.model
     }
 
-    /// Reads the model's part for texture.
+    /// Reads the texture part of the model.
     ///
     /// # Errors
     /// As [`FaceModel::add_texture`].
@@ -130,7 +131,7 @@ impl Editor {
         Ok(())
     }
 
-    /// The face of coefficients; missing ones are zero.
+    /// Returns the face with these shape and texture coefficients; missing ones are zero.
     #[must_use]
     pub fn face(&self, shape: &[f64], texture: &[f64]) -> Face {
         let textures = self.model.texture.as_ref();
@@ -141,7 +142,7 @@ impl Editor {
         }
     }
 
-    /// The average face.
+    /// Returns the average face of the model.
     #[must_use]
     pub fn average(&self) -> Face {
         self.face(&[], &[])
@@ -165,7 +166,7 @@ impl Editor {
         shape
     }
 
-    /// A face of the database.
+    /// Returns a face of the model's database by its index.
     ///
     /// # Errors
     /// When there is none of that number.
@@ -180,7 +181,7 @@ impl Editor {
         Ok(self.face(shape, texture.map_or(&[], Vec::as_slice)))
     }
 
-    /// The coefficients of the nearest face of a space.
+    /// Returns the coefficients of the face in the space of a part that is nearest to a face.
     ///
     /// # Errors
     /// When the face is of another model, or there are no textures.
@@ -296,7 +297,7 @@ impl Editor {
         self.change_of(part, &along, region)
     }
 
-    /// The change that coefficients make in a region.
+    /// Returns the change that face-space coefficients make in a region.
     pub(crate) fn change_of(
         &self,
         part: Part,
@@ -336,15 +337,15 @@ impl Editor {
         }
     }
 
-    /// The face farther from the average by a factor (F&H 3.2.2): a caricature above 1, nearer to
-    /// everybody below.
+    /// Scales the difference from the average face by `level` in a region (F&H 3.2.2): a caricature
+    /// above 1, a more average face below.
     pub fn caricature(&self, face: &mut Face, part: Part, level: f64, region: &Region) {
         let average = self.average();
         let change = self.restrict(Change::between(&average, face, part), region);
         face.add(&change, level - 1.0);
     }
 
-    /// Copies a region from another face (F&H 5.1.5).
+    /// Copies a region of shape or texture from another face (F&H 5.1.5).
     pub fn import(&self, face: &mut Face, from: &Face, part: Part, region: &Region) {
         let change = self.restrict(Change::between(face, from, part), region);
         face.add(&change, 1.0);
@@ -388,7 +389,7 @@ impl Editor {
         }
     }
 
-    /// The attributes of a part.
+    /// Returns the attributes of shape or texture; empty for textures that were not loaded.
     #[must_use]
     pub fn attributes(&self, part: Part) -> &[NamedAttribute] {
         match part {
@@ -431,7 +432,7 @@ fn separate(space: &FaceSpace, attributes: &mut [NamedAttribute]) {
 }
 
 impl Face {
-    /// The numbers of a part.
+    /// Returns the numbers of shape or texture.
     #[must_use]
     pub fn part(&self, part: Part) -> &[f64] {
         match part {
@@ -447,7 +448,7 @@ impl Face {
         }
     }
 
-    /// Adds a multiple of a change.
+    /// Adds a change, multiplied by `amount`, to the face.
     pub fn add(&mut self, change: &Change, amount: f64) {
         let numbers = self.part_mut(change.part).iter_mut();
         for (x, by) in numbers.zip(&change.numbers) {

@@ -4,7 +4,7 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FaceError {
-    /// There were too few examples.
+    /// Too few examples to learn a face space.
     #[error("a face space needs at least two examples, and there are {found}")]
     TooFew {
         /// Number found.

@@ -4,7 +4,8 @@
 
 use crate::segment::Half;
 
-/// Location and definition of an attribute on the skin.
+/// Location and definition of an attribute on the skin, such as the width of the mouth; lets it
+/// change without the rest of the face.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Feature {
     /// Names of the segments that contain the feature.

@@ -33,7 +33,7 @@ struct Lip {
     up: f64,
 }
 
-/// Both lips of a model.
+/// Lips of a face model, used to keep them apart in edited faces.
 #[derive(Clone, Debug)]
 pub(crate) struct Lips {
     lips: [Lip; 2],
@@ -86,7 +86,7 @@ impl Lips {
     }
 }
 
-/// The y of a triangle's normal.
+/// Returns the y component of a triangle's normal, not normalised.
 fn normal_y(places: &[Place], t: &[u32; 3]) -> f64 {
     let [a, b, c] = t.map(|v| places[v as usize]);
     (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2])

@@ -50,13 +50,14 @@ fn normal(places: &[Place], t: &[u32; 3]) -> Place {
 #[derive(Clone, Debug)]
 struct Pair {
     vertices: [u32; 2],
-    /// From the second to the first, of length 1.
+    /// Unit vector from the second to the first vertex of the pair.
     way: Place,
     /// Minimum separation along the direction, metres.
     least: f64,
 }
 
-/// Order constraints of a model's skin that prevent self-intersections.
+/// Order constraints of a face model's skin; they correct edited faces whose skin would intersect
+/// itself.
 #[derive(Clone, Debug)]
 pub(crate) struct OrderConstraints {
     reference: Vec<Place>,

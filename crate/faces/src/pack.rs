@@ -26,7 +26,8 @@ pub const MAX_BYTES: usize = 64 << 20;
 /// reading.
 pub const MAX_MODES: usize = 256;
 
-/// A face model.
+/// Face model (F&H 3.2): shape space, segments, attributes, database faces and, optionally,
+/// textures; stored in a pack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FaceModel {
     /// Shapes: x, y and z of each vertex of the skin, metres, in the frame of the head.
@@ -41,7 +42,7 @@ pub struct FaceModel {
     pub reference: Vec<f64>,
     /// The triangles of the skin, counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// Its segments.
+    /// Segments of the face.
     pub segments: Segments,
     /// Named vertices of the skin.
     pub landmarks: Vec<(String, u32)>,
@@ -53,11 +54,11 @@ pub struct FaceModel {
     pub examples: Vec<Vec<f64>>,
     /// Records of the people of the database; one per face, or none.
     pub people: Vec<PersonRecord>,
-    /// Its textures, where that part was read.
+    /// Texture part of the model; `None` if it was not read.
     pub texture: Option<TextureModel>,
 }
 
-/// The part of a model for textures.
+/// Texture part of a face model: texture space with attributes and database faces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextureModel {
     /// Textures: natural logarithms of linear red, green and blue of each vertex of the skin, then
@@ -76,26 +77,26 @@ pub struct TextureModel {
     pub figures: Vec<(String, Vec<f64>)>,
 }
 
-/// Appearance number at the end of a texture.
+/// Appearance number at the end of a texture, for example of irises or brows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LookNumber {
-    /// Its name.
+    /// Name of the appearance number.
     pub name: String,
     /// Weight of one unit relative to the colours, natural logarithms.
     pub weight: f64,
 }
 
-/// An attribute as people see it.
+/// Attribute as shown to users, with its group, terms for both ends and location.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedAttribute {
-    /// Its group in Table 5.2.
+    /// Group of the attribute in Table 5.2 of F&H.
     pub group: String,
     /// Terms for −1 and for +1.
     pub terms: [String; 2],
     /// Formula of an impression derived without ratings; `None` if the attribute was measured or
     /// rated.
     pub derived: Option<String>,
-    /// Its direction.
+    /// Direction of the attribute in the face space.
     pub attribute: Attribute,
     /// Feature on the skin; `None` for a trait of the whole person.
     pub feature: Option<Feature>,
@@ -130,7 +131,8 @@ impl<'n> Difference<'n> {
     }
 }
 
-/// Numbers that are a linear function of coefficients.
+/// Numbers that depend linearly on face-space coefficients, such as the positions of the control
+/// mesh or of the eyes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DependentNumbers {
     mean: Vec<f64>,
@@ -162,7 +164,7 @@ impl DependentNumbers {
         }
     }
 
-    /// The numbers of a face.
+    /// Returns the dependent numbers for the coefficients of a face.
     #[must_use]
     pub fn evaluate(&self, coefficients: &[f64]) -> Vec<f64> {
         let change = self.change(coefficients);
@@ -183,7 +185,7 @@ impl DependentNumbers {
 }
 
 impl FaceModel {
-    /// Returns the number of vertices of the skin.
+    /// Returns the number of vertices in the skin.
     #[must_use]
     pub fn vertices(&self) -> usize {
         self.shape.length() / 3
@@ -205,7 +207,7 @@ impl FaceModel {
         stored::read_shape(bytes)
     }
 
-    /// Reads the part for texture, which [`TextureModel::to_bytes`] wrote.
+    /// Reads the texture part that [`TextureModel::to_bytes`] wrote into the model.
     ///
     /// # Errors
     /// When it is something else, broken, of another version or of another model; the model is as it
@@ -270,13 +272,13 @@ impl TextureModel {
     }
 }
 
-/// Factors for a figure's colours, linear.
+/// Factors by which a face multiplies the colours of a figure's skin, irises and brows; linear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Factors {
     /// Red, green and blue at each vertex of the skin.
     pub skin: Vec<f64>,
-    /// Of the irises.
+    /// Colour factor of the irises: red, green and blue, linear.
     pub iris: [f64; 3],
-    /// Of brows and lashes.
+    /// Colour factor of brows and lashes: red, green and blue, linear.
     pub brows: [f64; 3],
 }

@@ -19,16 +19,16 @@ struct Rating {
     line: usize,
 }
 
-/// Ratings of faces for one attribute.
+/// Ratings of faces for one attribute, by rater and face.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AttributeRatings {
-    /// By rater and face.
+    /// Ratings, by rater and by index of the face.
     raters: BTreeMap<String, BTreeMap<usize, Rating>>,
 }
 
 /// Inter-rater agreement: the intraclass correlation of Shrout and Fleiss 1979
-/// (doi:10.1037/0033-2909.86.2.420), two-way random effects, absolute agreement. 1 if all raters
-/// agree on each face, 0 or less if the ratings are unrelated to the face.
+/// (doi:10.1037/0033-2909.86.2.420), two-way random effects, absolute agreement. It is 1 if all
+/// raters agree on each face, 0 or less if ratings are unrelated to the face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
     /// Number of raters with at least one rating.
@@ -111,7 +111,8 @@ fn spread(values: &[f64]) -> Option<(f64, f64)> {
     (square > MIN_SQUARE).then(|| (mean, square.sqrt()))
 }
 
-/// ICC(2,1) and ICC(2,k) of a table with a row for each rater and a column for each face.
+/// Returns ICC(2,1) and ICC(2,k) of a table with a row per rater and a column per face; `None`
+/// where they are undefined.
 fn correlations(table: &[Vec<f64>]) -> [Option<f64>; 2] {
     let length = table.first().map_or(0, Vec::len);
     if table.len() < 2 || length < 2 {
@@ -150,7 +151,7 @@ mod tests {
 
     use super::*;
 
-    /// A table of one attribute.
+    /// Parses a test table of ratings for one attribute.
     fn rated(lines: &[(&str, usize, f64)]) -> AttributeRatings {
         let mut text = "rater\tface\tattribute\tvalue\n".to_owned();
         for (rater, face, value) in lines {

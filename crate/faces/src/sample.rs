@@ -18,7 +18,7 @@ pub(crate) fn examples(count: u64, length: i64, seed: u64) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// The faces' coefficients, and a label for each.
+/// Returns the coefficients of test faces, and a label for each.
 pub(crate) fn labelled(
     space: &FaceSpace,
     faces: &[Vec<f64>],

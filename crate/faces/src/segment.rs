@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A half of the face.
+/// Half of the face to which a region is limited: left (positive x) or right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Half {
     /// The left one, at positive x.
@@ -11,18 +11,19 @@ pub enum Half {
     Right,
 }
 
-/// A segment: a part of the face, or a part of a part.
+/// Segment of the face (F&H 5.1.2, Table 5.1): a part that can be changed separately, possibly
+/// inside another segment.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Segment {
-    /// Its name.
+    /// Name of the segment.
     pub name: String,
     /// Index of the parent segment; `None` for the whole face.
     pub parent: Option<u32>,
-    /// Its own vertices, without those of its parts, as (first, count).
+    /// Vertices of the segment without those of its subsegments, as runs of (first, count).
     pub runs: Vec<[u32; 2]>,
 }
 
-/// The hierarchy of segments, parents before their parts.
+/// Hierarchy of face segments, parents before their subsegments.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Segments {
     all: Vec<Segment>,
@@ -43,19 +44,19 @@ impl Segments {
         fits.then_some(Self { all })
     }
 
-    /// All of them.
+    /// Returns all segments, parents first.
     #[must_use]
     pub fn all(&self) -> &[Segment] {
         &self.all
     }
 
-    /// A segment's index by its name.
+    /// Returns the index of a segment by name; `None` if there is none.
     #[must_use]
     pub fn find(&self, name: &str) -> Option<usize> {
         self.all.iter().position(|s| s.name == name)
     }
 
-    /// The segment whose own vertex this is, without those of its parts.
+    /// Returns the segment to which a vertex belongs directly, not counting enclosing segments.
     #[must_use]
     pub fn segment_of(&self, vertex: u32) -> Option<&Segment> {
         let is_in = |run: &[u32; 2]| vertex >= run[0] && vertex - run[0] < run[1];

@@ -9,7 +9,8 @@ mod local;
 
 use crate::error::FaceError;
 
-/// A linear space of faces.
+/// Linear space of faces (F&H 3.2.1): mean, principal components and their standard deviations, for
+/// shapes or textures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FaceSpace {
     /// The average face.
@@ -70,9 +71,9 @@ impl FaceSpace {
         })
     }
 
-    /// The space of faces that are the mean and a sum of multiples of a basis, multiples that are
-    /// independent of each other and have the standard deviation 1. The basis need be neither
-    /// orthogonal nor independent: there are as many modes as it has independent directions.
+    /// Creates the space of the mean plus multiples of a basis, which are independent with standard
+    /// deviation 1. The basis need not be orthogonal or linearly independent; the space has one
+    /// mode per independent direction.
     ///
     /// # Errors
     /// When the basis does not correspond to the mean, or something is not finite; the error counts
@@ -101,31 +102,31 @@ impl FaceSpace {
         }
     }
 
-    /// Returns the number of modes.
+    /// Returns the number of modes in the space.
     #[must_use]
     pub fn dimensions(&self) -> usize {
         self.deviations.len()
     }
 
-    /// Returns the count of numbers in a face.
+    /// Returns the number of values in a face vector.
     #[must_use]
     pub fn length(&self) -> usize {
         self.mean.len()
     }
 
-    /// The average face.
+    /// Returns the average face.
     #[must_use]
     pub fn mean(&self) -> &[f64] {
         &self.mean
     }
 
-    /// Standard deviations along the modes, decreasing.
+    /// Returns the standard deviations along the modes, decreasing.
     #[must_use]
     pub fn deviations(&self) -> &[f64] {
         &self.deviations
     }
 
-    /// A principal component, by its index.
+    /// Returns a mode (principal component) by its index.
     ///
     /// # Panics
     /// When there is none of that index.
@@ -134,8 +135,8 @@ impl FaceSpace {
         &self.modes[index * self.length()..(index + 1) * self.length()]
     }
 
-    /// The face of these coefficients, in the units of the examples; missing ones are zero, further
-    /// ones are ignored.
+    /// Returns the face with these coefficients, in the units of the examples; missing ones are
+    /// zero, further ones are ignored.
     #[must_use]
     pub fn face(&self, coefficients: &[f64]) -> Vec<f64> {
         let mut face = self.mean.clone();
@@ -175,7 +176,7 @@ impl FaceSpace {
         }
     }
 
-    /// The coefficients of the nearest face of the space.
+    /// Returns the coefficients of the face in the space that is nearest to a face.
     ///
     /// # Errors
     /// When the face does not correspond.
@@ -198,8 +199,8 @@ impl FaceSpace {
         (0..self.dimensions()).map(along).collect()
     }
 
-    /// The scalar product by which a difference counts in standard deviations of the examples
-    /// (F&H 3.2.2), of two differences in coefficients: the cheap form of equation 3.7.
+    /// Returns the scalar product of two differences in coefficients, in standard deviations of the
+    /// examples (F&H 3.2.2): the cheap form of equation 3.7.
     #[must_use]
     pub fn product(&self, a: &[f64], b: &[f64]) -> f64 {
         let parts = a.iter().zip(b).zip(&self.deviations);

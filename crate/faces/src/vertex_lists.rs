@@ -1,6 +1,6 @@
 //! Lists of numbers by vertex, stored one behind the other.
 
-/// A list of numbers for each vertex.
+/// Lists of numbers, one for each vertex, in compact storage.
 #[derive(Clone, Debug)]
 pub(crate) struct VertexLists {
     /// Start of each vertex's entries in `all`; one entry more than there are vertices.

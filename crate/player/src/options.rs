@@ -4,7 +4,7 @@ use raconteur_actor::Manner;
 use raconteur_base::Side;
 use raconteur_stage::{FramingMargin, Shot};
 
-/// Options of a performance.
+/// Options of a performance: seed, amount of motion, manner, handedness, language and camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Seed of blinks, glances, idle motion, and the choice of library music.
@@ -24,10 +24,10 @@ pub struct Options {
     pub moving_camera: bool,
     /// Minimum framing margin for gestures, even if the script's own are smaller: it keeps the
     /// framing constant while a script is edited.
-    pub room: FramingMargin,
+    pub margin: FramingMargin,
 }
 
-/// A tag of BCP 47, as long as any needs to be (RFC 5646, section 4.4.1).
+/// Language tag of BCP 47 in a fixed buffer that fits any needed length (RFC 5646, section 4.4.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LanguageTag {
     letters: [u8; Self::MAX_TAG_BYTES],
@@ -51,7 +51,7 @@ impl LanguageTag {
         Some(Self { letters, length })
     }
 
-    /// The tag.
+    /// Returns the language tag as text.
     #[must_use]
     pub fn as_str(&self) -> &str {
         // The content is only ASCII.
@@ -69,7 +69,7 @@ impl Default for Options {
             language: None,
             shot: Shot::Storyteller,
             moving_camera: true,
-            room: FramingMargin::default(),
+            margin: FramingMargin::default(),
         }
     }
 }

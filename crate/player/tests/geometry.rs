@@ -37,7 +37,7 @@ fn perform(clauses: &str) -> Player {
 }
 
 fn shown(player: &mut Player, time_secs: f64) -> Visibility {
-    player.frame(time_secs, 1.6).shown
+    player.frame(time_secs, 1.6).visibility
 }
 
 #[test]

@@ -123,7 +123,7 @@ const MOMENTS: [ExampleState; 8] = [
     },
 ];
 
-/// Middle between the eyes and their distance, bind pose, metres.
+/// Returns the point between the eyes and their distance, bind pose, metres.
 fn eyes(figure: &Figure) -> (Vec3, f32) {
     let joints = figure.skeleton.joints();
     let [left, right] = Side::BOTH.map(|side| {

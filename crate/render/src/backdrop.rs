@@ -16,7 +16,8 @@ const STILL_MARGIN: f32 = 1.15;
 /// eye.
 const MAX_ENLARGED: f32 = 1.7;
 
-/// Backdrop textures of one image size.
+/// Backdrop textures of one image size: the stage without the figure, reused while the camera
+/// stands still.
 pub(crate) struct Backdrop {
     pub(crate) view: TextureView,
     /// Bindings of the pass that composites it.
@@ -30,14 +31,14 @@ pub(crate) struct Backdrop {
     size: (u32, u32),
 }
 
-/// Rendering mode of an image's backdrop.
+/// Rendering mode of an image's backdrop: drawn directly, or as a reusable still.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BackdropMode {
     /// Rendered with the image, since it differs from the previous one and may change again.
     Directly,
-    /// As a still, from now on.
+    /// Rendered as a still that later images reuse.
     Now,
-    /// As a still that is there.
+    /// Reused from a still rendered earlier.
     Before,
 }
 

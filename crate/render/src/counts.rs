@@ -1,10 +1,10 @@
 //! Rendering costs of an image.
 
-/// Draw calls and triangles of one image.
+/// Number of draw calls and triangles in one image.
 #[derive(Default)]
 pub(crate) struct Counts {
     pub(crate) draw_calls: u32,
-    /// Of them, those that draw figures.
+    /// Number of draw calls for figures.
     pub(crate) figure_draw_calls: u32,
     pub(crate) triangles: u32,
 }

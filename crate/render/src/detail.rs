@@ -14,10 +14,10 @@ use crate::view::View;
 /// disproportionately expensive.
 const ALL_HAIR: f64 = 400.0;
 
-/// Levels of detail of a figure in one image.
+/// Levels of detail of a figure in one image; 0 is the finest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Detail {
-    /// Of everything but hair.
+    /// Level of detail of everything except hair.
     pub(crate) figure: usize,
     hair: usize,
 }

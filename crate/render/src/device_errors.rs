@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 use wasm_bindgen::{JsCast, prelude::*};
 
-/// First error of a device since the last call.
+/// Collector of the first error that the graphics device reports, until it is taken.
 #[derive(Clone, Default)]
 pub(crate) struct DeviceErrors(Arc<Mutex<Option<String>>>);
 

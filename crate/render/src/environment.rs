@@ -6,9 +6,8 @@ use raconteur_stage::{Lighting, Set};
 /// Directions that the room is sampled in.
 const SAMPLES: u32 = 96;
 
-/// Radiance of the room in a direction: a box of matt walls, pale above by the sky's colour
-/// and dark below by the floor's, with the lit backdrop behind the figure, and two panels
-/// that soften key and fill as walls near the lamps do. Chosen by eye.
+/// Returns the radiance of the room in a direction: matt walls, sky and floor colours, the lit
+/// backdrop and two panels that soften key and fill. Chosen by eye.
 fn room_radiance(d: DVec3, light: &Lighting, set: &Set) -> [f64; 3] {
     let ramp = |low: f64, high: f64, x: f64| ((x - low) / (high - low)).clamp(0.0, 1.0);
     // Steeper than the irradiance, which blurs it: a factor of 3/2 preserves its slope.
@@ -33,7 +32,8 @@ fn unit(d: DVec3) -> DVec3 {
     d.try_normalize().unwrap_or(DVec3::Y)
 }
 
-/// The nine functions that the shader multiplies with: 1, y, z, x, xy, yz, 3z²−1, xz, x²−y².
+/// Returns the nine spherical-harmonic basis functions of the shader: 1, y, z, x, xy, yz, 3z²−1,
+/// xz, x²−y².
 fn basis(d: DVec3) -> [f64; 9] {
     [
         1.0,
@@ -48,7 +48,7 @@ fn basis(d: DVec3) -> [f64; 9] {
     ]
 }
 
-/// Irradiance over pi by the normal, in spherical harmonics up to order 2 (Ramamoorthi and
+/// Returns irradiance over pi by normal as spherical harmonics up to order 2 (Ramamoorthi and
 /// Hanrahan 2001, "An efficient representation for irradiance environment maps",
 /// doi:10.1145/383259.383317): linear RGB factors of [`basis`].
 pub(crate) fn harmonics(light: &Lighting, set: &Set) -> [[f32; 3]; 9] {

@@ -4,7 +4,7 @@
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RenderError {
-    /// No device answers: no driver, or it is blocked.
+    /// No graphics adapter is available: no driver, or it is blocked.
     #[error("no graphics adapter: {0}")]
     NoAdapter(String),
     /// The adapter refused a device.
@@ -32,9 +32,9 @@ pub enum RenderError {
     /// Unusable image of a material.
     #[error("a material's picture of {width}x{height} cannot be used: {problem}")]
     BadImage {
-        /// Its width, pixels.
+        /// Width of the image, pixels.
         width: u32,
-        /// Its height, pixels.
+        /// Height of the image, pixels.
         height: u32,
         /// Description of the problem.
         problem: &'static str,

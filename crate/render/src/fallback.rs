@@ -5,7 +5,7 @@ use wgpu::{Device, Queue, TextureView};
 use crate::strands;
 use crate::texture::{self, Role};
 
-/// Substitute textures for missing images, with their samplers.
+/// Substitute textures for meshes without images, with their samplers.
 pub(crate) struct FallbackTextures {
     pub(crate) white: TextureView,
     pub(crate) flat: TextureView,

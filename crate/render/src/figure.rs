@@ -21,7 +21,7 @@ pub(crate) const MAX_JOINTS: usize = 256;
 /// Distance between materials in their buffer, bytes: the alignment of dynamic offsets.
 pub(crate) const MATERIAL_STRIDE: u64 = 256;
 
-/// `Material` of the shaders.
+/// Uniform data of a material, with the layout of `Material` in the shaders.
 #[repr(C)]
 #[derive(Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(crate) struct MaterialUniform {
@@ -51,7 +51,7 @@ impl MaterialUniform {
     }
 }
 
-/// Alpha mode of a mesh; the terms are glTF's.
+/// Alpha mode of a mesh, in glTF's terms: opaque, masked or blended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum AlphaMode {
     /// Covers everything behind it.
@@ -62,10 +62,10 @@ pub(crate) enum AlphaMode {
     Blend,
 }
 
-/// Shadow mode of a mesh.
+/// Shadow mode of a mesh: the part of it that is drawn into shadow maps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shadow {
-    /// All of its triangles.
+    /// All triangles of the mesh.
     Solid,
     /// Cut as strands of hair.
     Strands,
@@ -77,13 +77,13 @@ pub(crate) enum Shadow {
     Nothing,
 }
 
-/// Parameters of a pipeline.
+/// Parameters that select the render pipeline of a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PipelineKey {
     pub(crate) kind: MaterialKind,
     pub(crate) double_sided: bool,
     pub(crate) alpha_mode: AlphaMode,
-    /// Its vertices follow tissue.
+    /// True if the vertices follow facial tissue.
     pub(crate) bound: bool,
 }
 
@@ -129,16 +129,16 @@ impl PipelineKey {
     }
 }
 
-/// One draw call: all meshes with the same surface.
+/// Draw call for all meshes of a figure that share a surface.
 pub(crate) struct DrawnMesh {
     pub(crate) key: PipelineKey,
     pub(crate) maps: TextureMaps,
-    /// Its triangles at each level of detail, the finest first.
+    /// Index ranges of the triangles at each level of detail, the finest first.
     pub(crate) levels: [Range<u32>; LEVELS],
     pub(crate) material_offset: u32,
 }
 
-/// A figure's data, ready to be sent.
+/// Data of a figure, ready for upload to the GPU: vertices, indices, materials and draw calls.
 pub(crate) struct FigureData {
     pub(crate) shape: Vec<ShapeVertex>,
     pub(crate) fixed: Vec<FixedVertex>,
@@ -159,7 +159,7 @@ struct Batch {
     key: PipelineKey,
     maps: TextureMaps,
     material: MaterialUniform,
-    /// At each level of detail.
+    /// Triangle indices at each level of detail.
     levels: [Vec<u32>; LEVELS],
 }
 
@@ -179,7 +179,7 @@ impl Batch {
         }
     }
 
-    /// A number by which batches are ordered.
+    /// Returns the sort key of the batch, which determines the drawing order.
     fn place(&self) -> f64 {
         let before = match self.key.kind {
             MaterialKind::Cornea => 1,
@@ -355,8 +355,8 @@ fn from_outside_in(indices: impl DoubleEndedIterator<Item = u32>) -> Vec<u32> {
     indices
 }
 
-/// Middle between the eyes in the bind pose and, last, their distance, metres; 0 for a
-/// figure without eye joints.
+/// Returns the point between the eyes in the bind pose and, last, their distance, metres; all 0 for
+/// a figure without eye joints.
 fn face_place(figure: &Figure) -> [f32; 4] {
     let eye = |side: Side| {
         let joints = figure.skeleton.joints();

@@ -10,7 +10,7 @@ struct QualityStep {
     most_pixels: Option<u32>,
 }
 
-/// From the cheapest to the best.
+/// Quality steps, from the cheapest to the best.
 const RUNGS: [QualityStep; 5] = [
     // 0.4 of the width and height of a player that is as wide as a page's text.
     step(Quality::Lowest, Some(90_000)),
@@ -56,7 +56,7 @@ const PAUSE_MS: f64 = 4_000.0;
 /// time.
 const TRIES: u32 = 3;
 
-/// Adapts the rendering options to frame times.
+/// Automatic quality control: adapts the rendering options to measured frame times.
 ///
 /// It drops fast and climbs slowly, and since a rung that proved too slow is tried again
 /// only twice, the number of changes is bounded whatever the times are. It goes by the median of the
@@ -76,7 +76,8 @@ pub struct FramePacer {
 }
 
 impl FramePacer {
-    /// Automatic: from the middle, or from below where the device is `software`.
+    /// Creates automatic control that starts at the middle step, or at the lowest if the device is
+    /// `software`.
     #[must_use]
     pub fn new(software: bool) -> Self {
         Self {
@@ -169,7 +170,7 @@ impl FramePacer {
     }
 }
 
-/// The middle of some times, the lower one of two.
+/// Returns the median of some times; the lower one of two middle values.
 fn lower_median(times: &[f64]) -> f64 {
     let mut sorted = [f64::INFINITY; LOOK_FRAMES];
     sorted[..times.len()].copy_from_slice(times);

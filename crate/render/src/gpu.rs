@@ -2,7 +2,7 @@
 
 use wgpu::{Buffer, BufferUsages, Device, VertexAttribute, VertexFormat};
 
-/// A buffer that is written later.
+/// Creates an empty GPU buffer that is written later.
 pub(crate) fn empty_buffer(device: &Device, label: &str, size: u64, usage: BufferUsages) -> Buffer {
     device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
@@ -12,7 +12,7 @@ pub(crate) fn empty_buffer(device: &Device, label: &str, size: u64, usage: Buffe
     })
 }
 
-/// A resource and its binding number in a group.
+/// Returns a bind group entry for a resource and its binding number.
 pub(crate) fn binding(
     binding: u32,
     resource: wgpu::BindingResource<'_>,
@@ -20,7 +20,7 @@ pub(crate) fn binding(
     wgpu::BindGroupEntry { binding, resource }
 }
 
-/// A group of bindings.
+/// Creates a bind group.
 pub(crate) fn bind_group(
     device: &Device,
     label: &str,
@@ -34,7 +34,7 @@ pub(crate) fn bind_group(
     })
 }
 
-/// An attribute of a vertex, at an offset in bytes.
+/// Returns a vertex attribute at an offset in bytes.
 pub(crate) const fn attribute(
     format: VertexFormat,
     offset: u64,

@@ -24,7 +24,7 @@ use crate::texture::{self, Role};
 use crate::tissue::{BoundMesh, Nodes, TissueVertex};
 use crate::vertices::{FixedVertex, fixed_vertices, shape_vertices};
 
-/// A figure on the device.
+/// Figure on the GPU: buffers, textures, bind groups and draw calls.
 pub(crate) struct GpuFigure {
     pub(crate) stature_m: f64,
     joint_from_bind: Vec<DAffine3>,
@@ -456,7 +456,7 @@ fn is_cut(shadow: Shadow) -> bool {
     matches!(shadow, Shadow::Strands | Shadow::Picture)
 }
 
-/// The joint of an eye.
+/// Returns the index of an eye joint; `None` if the figure has none.
 fn face_joint(figure: &Figure) -> Option<usize> {
     let is_eye = |j: &Joint| matches!(j.drive, Drive::Eye(_));
     figure.skeleton.joints().iter().position(is_eye)

@@ -5,7 +5,7 @@ use raconteur_stage::Frame;
 
 use crate::{RenderError, RenderInfo, RenderOptions, Renderer};
 
-/// A device without a window, and a renderer on it.
+/// Renderer with its own device and no window, for images in memory.
 ///
 /// # Examples
 ///
@@ -41,7 +41,7 @@ struct Canvas {
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 impl Headless {
-    /// Opens the first adapter that answers, software included.
+    /// Opens the first available adapter, including software, and creates a renderer.
     ///
     /// # Errors
     /// When there is none, or it gives no device.
@@ -57,7 +57,7 @@ impl Headless {
         })
     }
 
-    /// [`Self::new`], waiting for it.
+    /// Opens an adapter like [`Self::new`] and blocks until it is ready.
     ///
     /// # Errors
     /// As [`Self::new`].
@@ -93,7 +93,7 @@ impl Headless {
         self.renderer.set_shape(before, figure, moves)
     }
 
-    /// Sets a decoded image of the figure.
+    /// Sets a decoded RGBA image of the figure by its index.
     ///
     /// # Errors
     /// As [`Renderer::set_image`].
@@ -107,7 +107,7 @@ impl Headless {
         self.renderer.set_image(index, width, height, rgba)
     }
 
-    /// Sets the options from the next image on.
+    /// Sets the rendering options, which apply from the next image on.
     pub fn set_options(&mut self, options: RenderOptions) {
         self.renderer.set_options(options);
     }

@@ -6,7 +6,7 @@ use crate::figure::MAX_JOINTS;
 use crate::figure::MaterialUniform;
 use crate::uniform::FrameUniform;
 
-/// Bind group layouts, named by their content.
+/// Bind group layouts of the shaders, named by their content.
 pub(crate) struct Layouts {
     /// The frame only.
     pub(crate) frame: BindGroupLayout,

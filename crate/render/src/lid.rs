@@ -9,7 +9,7 @@ use raconteur_body::{Figure, MaterialKind};
 /// globe, metres: the globe's radius is 12 mm.
 const LINING_M: f64 = 0.0121;
 
-/// Edge of a lid, in a plane through the middle of the eye and the corners.
+/// Edge of a lid, as a plane through the centre of the eye and its corners; used to shade the eye.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LidEdge {
     /// The lid's joint.
@@ -19,7 +19,8 @@ pub(crate) struct LidEdge {
 }
 
 impl LidEdge {
-    /// Upper and lower lid of the left eye, then of the right.
+    /// Finds the lid edges of a figure: upper and lower lid of the left eye, then of the right;
+    /// `None` for missing lids.
     pub(crate) fn from_figure(figure: &Figure) -> [Option<Self>; 4] {
         [
             Self::find(figure, Side::Left, true),

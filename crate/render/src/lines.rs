@@ -8,7 +8,7 @@ use wgpu::{
 
 use crate::gpu::empty_buffer;
 
-/// Instance data of a line for the shader.
+/// Instance data of one overlay line for the shader: ends, colour and width.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct LineInstance {
@@ -30,7 +30,7 @@ impl LineInstance {
 /// Maximum number of lines: twice the springs of a face. More are left out.
 const MAX_LINES: usize = 1 << 16;
 
-/// Lines on the device.
+/// Overlay lines on the GPU, which show muscles and springs of the face.
 pub(crate) struct Lines {
     sent: Vec<LineInstance>,
     /// Capacity of the buffer, lines.

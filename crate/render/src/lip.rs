@@ -6,7 +6,8 @@ use raconteur_body::face::NodeState;
 /// Opening for a figure without lip nodes, millimetres.
 const OPEN_MM: f32 = 100.0;
 
-/// Points along the mouth at which lips meet.
+/// Vertex pairs along the mouth where the lips meet; they measure its opening, which lets light
+/// into the mouth.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lips {
     /// Nodes of the upper and of the lower lip.

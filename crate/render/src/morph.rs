@@ -6,7 +6,7 @@
 use raconteur_body::Mesh;
 use wgpu::{VertexBufferLayout, VertexStepMode, vertex_attr_array};
 
-/// Position and normal of one vertex: the stream that morphs change.
+/// Position and normal of one vertex, in the vertex stream that morphs change.
 pub(crate) type ShapeVertex = [f32; 6];
 
 /// Vertex buffer layout of [`ShapeVertex`].
@@ -16,7 +16,7 @@ pub(crate) const SHAPE_LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout 
     attributes: &vertex_attr_array![0 => Float32x3, 1 => Float32x3],
 };
 
-/// The morphs of one mesh.
+/// Vertices of one mesh that morph targets move, summed on the CPU.
 pub(crate) struct MorphedMesh {
     /// First vertex of the affected range, in the figure's vertex buffer.
     pub(crate) first_vertex: usize,

@@ -3,13 +3,13 @@
 /// Number of levels of detail.
 pub(crate) const LEVELS: usize = 3;
 
-/// Rendering quality.
+/// Rendering quality tier: resolution of shadows, samples per pixel and level of detail.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quality {
     /// For software rendering: light without shadows, colour textures only, in one pass of four
     /// samples per pixel.
     Lowest,
-    /// One sample a pixel with edge smoothing, a small shadow, no fine bumps.
+    /// One sample per pixel with edge smoothing, a small shadow map, no fine bumps.
     Low,
     /// Four samples, shadows from key and rim, fine bumps.
     Medium,
@@ -19,7 +19,7 @@ pub enum Quality {
 }
 
 impl Quality {
-    /// Every tier with its name.
+    /// All quality tiers with their names.
     pub const NAMES: [(Self, &'static str); 4] = [
         (Self::Lowest, "lowest"),
         (Self::Low, "low"),
@@ -27,12 +27,12 @@ impl Quality {
         (Self::High, "high"),
     ];
 
-    /// Requested samples a pixel.
+    /// Returns the requested number of samples per pixel.
     pub(crate) fn samples(self) -> u32 {
         if self == Self::Low { 1 } else { 4 }
     }
 
-    /// Side of a light's shadow map, texels.
+    /// Returns the side length of a light's shadow map, texels.
     pub(crate) fn shadow_texels(self) -> u32 {
         if self == Self::High { 2048 } else { 1024 }
     }
@@ -46,7 +46,7 @@ impl Quality {
         }
     }
 
-    /// The level of detail of figures, 0 the finest.
+    /// Returns the level of detail of figures, 0 the finest.
     pub(crate) fn level_of_detail(self) -> usize {
         match self {
             Self::Lowest => 2,
@@ -61,7 +61,7 @@ impl Quality {
         self == Self::Lowest
     }
 
-    /// The shadow filter: 1 is a disc of 7 taps, 2 one of 24 that sharpens towards contact.
+    /// Returns the shadow filter: 1 is a disc of 7 taps, 2 one of 24 that sharpens towards contact.
     pub(crate) fn shadow_reach(self) -> u32 {
         if self == Self::High { 2 } else { 1 }
     }
@@ -71,14 +71,14 @@ impl Quality {
     }
 }
 
-/// Choices for a renderer; they can be changed while it draws.
+/// Options of a renderer, which can be changed while it runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RenderOptions {
     /// Rendering quality. Default: high.
     pub quality: Quality,
 }
 
-/// Properties of the renderer and statistics of the last image.
+/// Properties of the renderer and statistics of the last image, for diagnostics.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RenderInfo {
     /// The choices in force.
@@ -89,7 +89,7 @@ pub struct RenderInfo {
     pub adapter: String,
     /// True for software rendering, if the adapter reports it.
     pub software: bool,
-    /// Samples a pixel.
+    /// Number of samples per pixel.
     pub samples: u32,
     /// True if light is stored in a float target; otherwise materials encode it directly.
     pub float_target: bool,

@@ -12,7 +12,7 @@ use wgpu::{
 
 use crate::gpu::empty_buffer;
 
-/// A corner of a spindle: world, metres, and a linear colour.
+/// Vertex of an overlay spindle: position (world, metres) and linear colour.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct OverlayVertex {
@@ -45,7 +45,7 @@ const AXES: [[f32; 3]; 3] = [
     [20.0, 60.0, 230.0],
 ];
 
-/// Spindles and their buffer.
+/// Overlay of a figure's bones, joints and manipulator targets, drawn as spindles.
 pub(crate) struct Overlay {
     corners: Vec<OverlayVertex>,
     pub(crate) buffer: Buffer,
@@ -80,7 +80,7 @@ impl Overlay {
                 self.joint(frame, bone, here, parent, stature_m);
             }
         }
-        if frame.shown.manipulators {
+        if frame.visibility.manipulators {
             for handle in &frame.handles {
                 self.dot(place(handle), 0.016 * stature_m, HANDLE);
                 self.axes(handle, 0.07 * stature_m);
@@ -103,7 +103,7 @@ impl Overlay {
             parent.map_or((at, Vec3::X), |p| (place(p), p.matrix3.y_axis.as_vec3()));
         let length = (at - start).length();
         // The chin turns about a point inside the head.
-        if frame.shown.bones && bone != Bone::Chin {
+        if frame.visibility.bones && bone != Bone::Chin {
             self.bone(start, at, hint);
             if is_free(bone) {
                 self.bone(at, at + axis.x_axis * (0.9 * length), axis.y_axis);
@@ -111,10 +111,10 @@ impl Overlay {
         }
         // Fingers are near each other, and so are smaller.
         let size = (0.45 * length).clamp(0.009 * stature_m, 0.045 * stature_m);
-        if frame.shown.frames {
+        if frame.visibility.frames {
             self.axes(here, size);
         }
-        if frame.shown.centers {
+        if frame.visibility.centers {
             self.dot(at, 0.2 * size, JOINT);
         }
     }

@@ -24,7 +24,7 @@ use description::{BEHIND, PipelineDescription, full_screen, pipeline_layout};
 use entries::{figure_entry, fragment_entry, material_entry};
 use set_pipelines::SetPipelines;
 
-/// Resources shared by all quality tiers of a device.
+/// Resources that all quality tiers of a device share: layouts and shader modules.
 pub(crate) struct SharedResources {
     pub(crate) layouts: Layouts,
     stage: ShaderModule,
@@ -33,7 +33,7 @@ pub(crate) struct SharedResources {
 }
 
 impl SharedResources {
-    /// For targets of `output`.
+    /// Creates the resources for targets of the format `output`.
     pub(crate) fn new(device: &Device, output: TextureFormat) -> Self {
         let module = |label, parts: &[&str]| {
             device.create_shader_module(wgpu::ShaderModuleDescriptor {
@@ -50,20 +50,20 @@ impl SharedResources {
     }
 }
 
-/// Compiled pipelines of one quality tier.
+/// Compiled render pipelines of one quality tier.
 pub(crate) struct Pipelines {
     /// Pipelines of the requested sets.
     theatres: Vec<SetPipelines>,
     /// Index of the current set.
     theatre: usize,
     /// Pipeline that composites the backdrop as a still, if used.
-    pub(crate) laid: Option<RenderPipeline>,
+    pub(crate) with_layout: Option<RenderPipeline>,
     pub(crate) tone_map: Option<RenderPipeline>,
     target: TargetKind,
     /// True if surfaces use the shaders of the lowest quality.
     simple: bool,
     constants: Vec<(&'static str, f64)>,
-    /// Those of materials, for the keys that figures have used.
+    /// Pipelines of materials, for the keys that figures have used.
     materials: Vec<(PipelineKey, RenderPipeline)>,
     /// Pipelines of the shadow map, by the light's number, with true for vertices bound to tissue.
     shadows: Vec<(u32, Shadow, bool, RenderPipeline)>,
@@ -81,7 +81,8 @@ pub(crate) fn is_bare(shown: &Visibility) -> bool {
     shown.fill != Fill::Solid || !shown.materials
 }
 
-/// The streams of a figure; the last one only where vertices follow tissue.
+/// Returns the vertex buffer layouts of a figure; the last one applies only to vertices that follow
+/// tissue.
 fn vertex_buffers() -> [Option<VertexBufferLayout<'static>>; 3] {
     [
         Some(SHAPE_LAYOUT),
@@ -90,7 +91,7 @@ fn vertex_buffers() -> [Option<VertexBufferLayout<'static>>; 3] {
     ]
 }
 
-/// A switch of the shaders.
+/// Returns a boolean as a shader constant, 1 or 0.
 fn flag(on: bool) -> f64 {
     f64::from(u8::from(on))
 }
@@ -106,7 +107,7 @@ impl Pipelines {
         Self {
             theatres: Vec::new(),
             theatre: 0,
-            laid: None,
+            with_layout: None,
             tone_map: None,
             target,
             simple: target.is_direct,
@@ -141,8 +142,8 @@ impl Pipelines {
             self.tone_map = Some(self.make_tone_map(device, shared));
             return true;
         }
-        if self.target.is_direct && self.laid.is_none() {
-            self.laid = Some(self.create_with_layout(device, shared));
+        if self.target.is_direct && self.with_layout.is_none() {
+            self.with_layout = Some(self.create_with_layout(device, shared));
             return true;
         }
         if self.make_theatre(device, shared, set) {

@@ -25,7 +25,7 @@ use crate::uniform::{FrameUniform, stand_in_world};
 use crate::view::View;
 use crate::{Quality, RenderError, RenderInfo, RenderOptions};
 
-/// The renderer: pipelines, the figure and the textures of the current size.
+/// Renderer of one figure on a stage set, for any target of the chosen format.
 pub struct Renderer {
     device: Device,
     queue: Queue,
@@ -60,7 +60,7 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// A renderer on an open device, for targets of `target_format` (8 bits a channel;
+    /// Creates a renderer on an open device, for targets of `target_format` (8 bits per channel;
     /// sRGB formats are recognised).
     #[must_use]
     pub fn new(
@@ -227,9 +227,9 @@ impl Renderer {
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let mut counts = Counts::default();
-        self.draw_shadow(&mut encoder, &frame.shown, &mut counts);
+        self.draw_shadow(&mut encoder, &frame.visibility, &mut counts);
         self.draw_backdrop(&mut encoder, &mut counts);
-        self.draw_stage(&mut encoder, view, &frame.shown, &mut counts);
+        self.draw_stage(&mut encoder, view, &frame.visibility, &mut counts);
         self.tone_map(&mut encoder, view, &mut counts);
         self.queue.submit([encoder.finish()]);
         self.info.figure_draw_calls = counts.figure_draw_calls;
@@ -294,7 +294,7 @@ impl Renderer {
         let subject = ShadowSubject {
             camera: &frame.camera,
             view: &view,
-            stand_in_world: stand_in_world(frame),
+            feet_in_world: stand_in_world(frame),
             stature_m,
         };
         let softness = f64::from(frame.lighting.softness);
@@ -325,7 +325,7 @@ impl Renderer {
         let pipelines = &mut self.tier.pipelines;
         pipelines.prepare_theatre(device, &self.shared, frame.set.kind);
         let has_tissue = self.figure.as_ref().is_some_and(GpuFigure::has_tissue);
-        pipelines.prepare_shown(device, &self.shared, &frame.shown, has_tissue);
+        pipelines.prepare_shown(device, &self.shared, &frame.visibility, has_tissue);
         if !frame.lines.is_empty() {
             pipelines.prepare_lines(device, &self.shared);
         }
@@ -335,14 +335,14 @@ impl Renderer {
         }
         let stature_m = match &mut self.figure {
             Some(figure) => {
-                if frame.shown.fill == Fill::Wireframe {
+                if frame.visibility.fill == Fill::Wireframe {
                     figure.prepare_edges(device, queue);
                 }
                 figure.stature_m
             }
             None => return,
         };
-        if frame.shown.has_overlay() {
+        if frame.visibility.has_overlay() {
             let overlay = self.overlay.get_or_insert_with(|| Overlay::new(device));
             overlay.send(queue, frame, stature_m as f32);
         }

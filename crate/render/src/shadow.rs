@@ -6,7 +6,7 @@ use raconteur_stage::{Camera, DirectedLight};
 
 use crate::view::View;
 
-/// A light as a camera, and the sizes its filter needs.
+/// View of a light for its shadow map, with the parameters of the shadow filter.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowView {
     pub(crate) clip_from_world: DMat4,
@@ -20,13 +20,13 @@ pub(crate) struct ShadowView {
     pub(crate) depth_of_metre: f32,
 }
 
-/// Subject of a shadow map: the figure and its visible part.
+/// Subject of a shadow map: the figure and the part of it that the camera sees.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowSubject<'a> {
     pub(crate) camera: &'a Camera,
     pub(crate) view: &'a View,
     /// Standing position of the figure.
-    pub(crate) stand_in_world: DVec3,
+    pub(crate) feet_in_world: DVec3,
     pub(crate) stature_m: f64,
 }
 
@@ -46,7 +46,7 @@ impl ShadowView {
         let ShadowSubject {
             camera,
             view,
-            stand_in_world,
+            feet_in_world: stand_in_world,
             stature_m,
         } = *subject;
         let towards = light

@@ -101,7 +101,7 @@ fn bundle(strip: usize) -> Bundle {
     }
 }
 
-/// One strand.
+/// Strand of hair in a strip of the strand atlas.
 struct Strand {
     /// Position across the strip at each row, texels.
     across: Vec<f64>,
@@ -117,7 +117,8 @@ struct Strand {
 /// A texel while strands are laid: cover, height, number.
 type Texel = [f32; 3];
 
-/// The atlas with its mip levels: RGBA bytes, the finest first.
+/// Returns the strand atlas (texture of hair cards) with its mip levels as RGBA bytes, the finest
+/// first.
 pub(crate) fn atlas() -> Vec<Level> {
     let mut texels: Vec<Texel> = vec![[0.0, 0.5, 0.5]; WIDTH * HEIGHT];
     for strip in 0..STRIPS {
@@ -137,7 +138,7 @@ fn normal(id: u64, i: i64) -> f64 {
     }))
 }
 
-/// Smooth noise along a strand, nearly normal at its knots.
+/// Returns smooth noise along a strand, approximately normal at its knots.
 fn wobble(id: u64, i: i64, knots: f64, v: f64) -> f64 {
     let x = v * knots;
     let k = x.floor();
@@ -231,7 +232,8 @@ fn paint(texels: &mut [Texel], strip: usize, s: &Strand) {
     }
 }
 
-/// Share of a strip's texels that are covered by more than a half when cover is raised by `gain`.
+/// Returns the share of a strip's texels with more than half coverage after coverage is multiplied
+/// by `gain`.
 fn covered(texels: &[Texel], width: usize, strip: usize, gain: f32) -> f64 {
     let across = width / STRIPS;
     let rows = texels.chunks_exact(width);

@@ -9,7 +9,7 @@ use wgpu::CurrentSurfaceTexture;
 
 use crate::{FramePacer, Quality, RenderError, RenderInfo, Renderer};
 
-/// Browser interface used for rendering.
+/// Browser graphics API used for rendering: WebGPU or WebGL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Backend {
     /// WebGPU; needs the feature `webgpu`.
@@ -18,10 +18,10 @@ pub enum Backend {
     WebGl,
 }
 
-/// Result of a frame.
+/// Result of rendering a frame to a canvas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RenderStatus {
-    /// It is on the canvas.
+    /// The frame is on the canvas.
     Drawn,
     /// The canvas had no room for it (hidden, or the browser is late); the next may do.
     Skipped,
@@ -29,7 +29,7 @@ pub enum RenderStatus {
     DeviceLost,
 }
 
-/// A renderer that draws to one canvas.
+/// Renderer that draws to one canvas of a web page, with automatic quality control.
 pub struct CanvasTarget {
     device: wgpu::Device,
     surface: wgpu::Surface<'static>,
@@ -144,7 +144,7 @@ impl CanvasTarget {
         self.renderer.set_shape(before, figure, moves)
     }
 
-    /// Sets a decoded image of the figure.
+    /// Sets a decoded RGBA image of the figure by its index.
     ///
     /// # Errors
     /// As [`Renderer::set_image`].
@@ -201,7 +201,7 @@ impl CanvasTarget {
         }
     }
 
-    /// Draws a frame to the canvas.
+    /// Renders a frame to the canvas.
     ///
     /// # Errors
     /// When the driver refuses the renderer or its calls.
@@ -270,7 +270,8 @@ fn within((width, height): (u32, u32), most: Option<u32>) -> (u32, u32) {
     (side(width), side(height))
 }
 
-/// The context that wgpu made for the canvas: asking again returns the same one.
+/// Returns the WebGL2 context that wgpu created for the canvas; a repeated request returns the same
+/// one.
 #[cfg(feature = "webgl")]
 fn webgl_context(canvas: &web_sys::HtmlCanvasElement) -> Option<web_sys::WebGl2RenderingContext> {
     use wasm_bindgen::JsCast;

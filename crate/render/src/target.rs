@@ -4,20 +4,21 @@ use wgpu::{TextureFormat, TextureUsages};
 
 use crate::Quality;
 
-/// The kind of target that the device allows.
+/// Format and sample count of the intermediate image that the device supports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TargetKind {
     pub(crate) format: TextureFormat,
     pub(crate) samples: u32,
-    /// It is the target itself: there is no texture between, and no pass that develops it.
+    /// True if frames are rendered directly into the final target, without intermediate texture and
+    /// tone-mapping pass.
     pub(crate) is_direct: bool,
 }
 
 pub(crate) const DEPTH_FORMAT: TextureFormat = TextureFormat::Depth32Float;
 
 impl TargetKind {
-    /// For a quality, in front of targets of `output`: the best that the adapter draws, float with
-    /// the quality's samples, float with one, or eight bits encoded early; or the target itself.
+    /// Returns the best target kind of an adapter for a quality and an `output` format: float with
+    /// multisampling, float with one sample, eight bits encoded early, or the final target itself.
     pub(crate) fn choose(adapter: &wgpu::Adapter, quality: Quality, output: TextureFormat) -> Self {
         let samples_of = |format: TextureFormat| {
             let asked = quality.samples();
@@ -62,7 +63,7 @@ impl TargetKind {
     }
 }
 
-/// Textures of one image size.
+/// Intermediate textures of one image size: samples, colour and depth.
 pub(crate) struct Targets {
     pub(crate) size: (u32, u32),
     /// Render target; with more than one sample it is resolved into `picture`.

@@ -13,7 +13,7 @@ pub const MAX_SIDE_PX: u32 = 8192;
 /// Largest side stored on the device, pixels; a face that fills a 4K screen shows no more.
 const KEPT_SIDE: u32 = 2048;
 
-/// Role of a texture on a surface.
+/// Role of a texture on a surface: colour, normals or height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
     /// sRGB colour and alpha.
@@ -24,7 +24,7 @@ pub(crate) enum Role {
     Height,
 }
 
-/// One mip level: width, height and RGBA bytes.
+/// Mip level of a texture: width, height and RGBA bytes.
 pub(crate) type Level = (u32, u32, Vec<u8>);
 
 /// Rejects an image whose size is invalid or does not match its bytes.

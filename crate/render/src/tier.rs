@@ -7,7 +7,7 @@ use crate::gpu::{bind_group, binding};
 use crate::pipeline::{Pipelines, SharedResources};
 use crate::target::{DEPTH_FORMAT, TargetKind};
 
-/// All that one quality needs.
+/// Resources of one quality tier: pipelines, shadow map and bind groups.
 pub(crate) struct Tier {
     pub(crate) options: RenderOptions,
     pub(crate) target: TargetKind,

@@ -17,7 +17,7 @@ pub const REACH_M: f32 = 0.125;
 /// Largest change of a unit normal in the stream, its theoretical maximum.
 const TURN: f32 = 2.0;
 
-/// Effect of tissue on a vertex.
+/// Effect of the facial tissue on one vertex: displacement, change of normal, wrinkles and blush.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 pub struct TissueVertex {
@@ -42,13 +42,13 @@ impl TissueVertex {
 }
 
 impl TissueVertex {
-    /// At rest.
+    /// Vertex effect of tissue at rest.
     pub const REST: Self = Self {
         moved: [0; 6],
         complexion: [0, 0, 0, 128],
     };
 
-    /// From a weighted sum of nodes.
+    /// Converts a weighted sum of nodes to the vertex format.
     fn from_node(sum: &Node) -> Self {
         // After adding one and a half times 2²³, the nearest integer is in the lowest bits. This
         // avoids a conversion with the compiler's range checks. Four at a time would be slower
@@ -69,7 +69,7 @@ impl TissueVertex {
 /// A node's state in the steps of [`TissueVertex`], in the order of its numbers.
 type Node = [Vec4; 3];
 
-/// The nodes as the meshes of a figure follow them.
+/// Current tissue nodes of a face, scaled for the vertices that follow them.
 #[derive(Clone, Debug, Default)]
 pub struct Nodes {
     scaled: Vec<Node>,
@@ -129,7 +129,7 @@ struct Row {
     levels: u32,
 }
 
-/// The vertices of a mesh that follow nodes.
+/// Vertices of a mesh that follow tissue nodes, with their nodes and weights.
 #[derive(Clone, Debug)]
 pub struct BoundMesh {
     /// First vertex of the affected range, in the figure's vertex buffer.

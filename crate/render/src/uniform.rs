@@ -13,7 +13,7 @@ use crate::view::View;
 /// Radius of an eyeball, mm: the globes of figures, and of the proportions in `shader/eye.wgsl`.
 const GLOBE_RADIUS_MM: f64 = 12.0;
 
-/// `Frame` of the shaders, field by field.
+/// Uniform block of a frame, field by field as `Frame` in the shaders.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FrameUniform {

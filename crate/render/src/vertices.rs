@@ -9,7 +9,8 @@ use wgpu::{VertexBufferLayout, VertexFormat, VertexStepMode};
 use crate::gpu::attribute;
 use crate::morph::{ShapeVertex, shape_vertex};
 
-/// Constant data of a vertex.
+/// Vertex data that neither morphs nor tissue change: texture coordinates, colour, joints and
+/// weights.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FixedVertex {
@@ -107,8 +108,8 @@ fn growing_v(mesh: &Mesh) -> Vec<Vec3> {
 /// Largest curvature representable in a vertex, 1/m: a bead of 4 mm radius.
 const SHARPEST_PER_M: f32 = 250.0;
 
-/// Mean curvature of each vertex, 1/m, positive where the surface bulges: how fast the
-/// normals of its neighbours lean apart, averaged over its edges.
+/// Returns the mean curvature of each vertex, 1/m, positive where the surface bulges: the
+/// divergence of its neighbours' normals, averaged over its edges.
 fn curvature_per_m(mesh: &Mesh) -> Vec<f32> {
     let mut sum = vec![(0.0, 0.0); mesh.positions.len()];
     for t in mesh.indices.chunks_exact(3) {

@@ -4,7 +4,7 @@ use glam::dcamera::rh::{proj::directx::perspective, view::look_to_mat4};
 use raconteur_base::{DMat4, DVec3, ops};
 use raconteur_stage::Camera;
 
-/// The camera as the shaders need it.
+/// Camera of a frame as matrix and axes for the shaders.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     pub(crate) clip_from_world: DMat4,

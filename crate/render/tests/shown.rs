@@ -26,7 +26,7 @@ fn stage(quality: Quality) -> (Headless, Frame) {
 
 fn draw(device: &mut Headless, frame: &Frame, shown: Visibility) -> Vec<u8> {
     let frame = Frame {
-        shown,
+        visibility: shown,
         ..frame.clone()
     };
     device

@@ -238,7 +238,7 @@ fn bound_vertices_move_with_their_nodes_and_not_with_the_chin() {
     frame.tissue.clear();
     assert!(rest == draw(&mut device, &frame), "back at rest");
     // The wireframe moves too.
-    frame.shown.fill = raconteur_stage::Fill::Wireframe;
+    frame.visibility.fill = raconteur_stage::Fill::Wireframe;
     let edges = draw(&mut device, &frame);
     frame.tissue = vec![NodeState {
         displacement: [0.04, 0.0, 0.0],

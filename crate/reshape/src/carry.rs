@@ -15,12 +15,13 @@ const SAME_M: f64 = 1e-6;
 const BEHIND_M: f64 = 0.0025;
 /// Side of a cell, metres.
 const CELL_M: f64 = 0.008;
-/// No side of a skin has more cells.
+/// Maximum number of grid cells along one axis.
 const MAX_CELLS: i64 = 256;
 /// Maximum number of cell rings searched around a position before all vertices are searched.
 const MAX_RINGS: i64 = 3;
 
-/// Anchor of a position to the skin: vertices and their weights.
+/// Anchor of a position to the skin: vertices and their weights; the position follows them onto
+/// another face.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SkinAnchor(Vec<(u32, f64)>);
 
@@ -32,7 +33,7 @@ impl SkinAnchor {
     }
 }
 
-/// Vertices of a skin in a spatial grid for lookup by position.
+/// Vertices of a skin in a spatial grid, for lookup by position.
 pub(super) struct Skin<'a> {
     places: &'a [DVec3],
     low: DVec3,
@@ -210,14 +211,14 @@ pub(super) fn firsts(places: &[DVec3]) -> Vec<u32> {
     (0..).zip(places).map(one).collect()
 }
 
-/// Rule by which the vertices of a mesh follow the skin.
+/// Rule by which the vertices of a mesh follow the skin onto another face.
 #[derive(Clone, Debug)]
 pub(super) enum CarriedMesh {
-    /// With the skin near each.
+    /// Each vertex follows the skin near it.
     Skin(Vec<SkinAnchor>),
-    /// With the eye of their side.
+    /// Each vertex follows the eye on its side.
     Eyes,
-    /// With the middle of the lips.
+    /// All vertices follow the midpoint of the lips.
     Lips,
 }
 

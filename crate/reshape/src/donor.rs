@@ -8,10 +8,11 @@ use super::{NewFace, ReshapeError, Reshaper, SKULL_IN_HEAD_M, moved, narrow, nec
 use raconteur_body::figure::{Figure, MaterialKind, Mesh};
 use raconteur_body::skeleton::{Bone, Drive};
 
-/// Hair of another figure, with its position relative to the skin on which it grew.
+/// Hair of another figure, anchored to the skin on which it grew, so that it can be fitted to other
+/// heads.
 #[derive(Clone, Debug)]
 pub struct HairDonor {
-    /// Every so-manieth vertex of that skin, from the first on; frame of the head.
+    /// Every `every`th vertex of the donor's skin, from the first on; frame of the head, metres.
     places: Vec<DVec3>,
     every: usize,
     /// Origin of that head's frame in the world.

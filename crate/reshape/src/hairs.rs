@@ -7,7 +7,7 @@ use raconteur_body::figure::Mesh;
 /// The name of a mesh of hair that grows in a face.
 pub(super) const BEARD: &str = "beard";
 
-/// Region where strands grow.
+/// Region where strands of hair grow: scalp or face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Strands {
     Scalp,
@@ -31,7 +31,8 @@ pub(super) fn grows(strands: Strands, root: DVec3) -> bool {
     is_beard == (strands == Strands::Face)
 }
 
-/// The first vertex of the strand that each vertex is of: strands hang together by their triangles.
+/// Returns for each vertex the first vertex of its strand; triangles connect the vertices of a
+/// strand.
 fn strands_of(mesh: &Mesh) -> Vec<u32> {
     let mut parent: Vec<u32> = (0..mesh.positions.len() as u32).collect();
     fn root(parent: &mut [u32], mut v: u32) -> u32 {

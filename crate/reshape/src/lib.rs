@@ -43,8 +43,8 @@ const NECK_M: f64 = 0.047;
 /// Minimum height of the chin above the start of the neck, metres.
 const UNDER_CHIN_M: f64 = 0.0045;
 
-/// New face for a figure. Frame of the head: origin between the tragions, x left, y up, z front;
-/// metres.
+/// New face for a figure: skin, colours and inner parts. Frame of the head: origin between the
+/// tragions, x left, y up, z front; metres.
 #[derive(Clone, Copy, Debug)]
 pub struct NewFace<'a> {
     /// Vertices of the skin, x, y and z of each; those of the figure's head in their order.
@@ -77,7 +77,7 @@ impl<'a> NewFace<'a> {
     }
 }
 
-/// Inner parts of a head, in its frame; metres and radians.
+/// Inner parts of a new face (eyes, lids, chin), in the frame of the head; metres and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NewOrgans {
     /// Centres of the left and the right eyeball.
@@ -129,7 +129,7 @@ pub enum ReshapeError {
     NotFinite,
 }
 
-/// Figure prepared for new faces: bindings of all parts of its head to its skin.
+/// Figure prepared to receive new faces: all parts of its head are anchored to its skin.
 ///
 /// # Examples
 ///
@@ -152,7 +152,7 @@ pub struct Reshaper {
     /// Mesh of the skin; its first vertices are the head's.
     head: usize,
     vertices: usize,
-    /// From the frame of the head to the world.
+    /// Origin of the head's frame, world, metres.
     origin: DVec3,
     /// Triangles of the head.
     triangles: Vec<[u32; 3]>,
@@ -254,13 +254,13 @@ impl Reshaper {
         })
     }
 
-    /// The figure as it was.
+    /// Returns the original figure.
     #[must_use]
     pub fn figure(&self) -> &Figure {
         &self.figure
     }
 
-    /// The figure with a face.
+    /// Returns the figure with a new face.
     ///
     /// # Errors
     /// When the face is of another model, or no face.

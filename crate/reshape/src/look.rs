@@ -11,14 +11,14 @@ use super::{NewFace, ReshapeError, Reshaper, carry};
 use raconteur_body::HairColour;
 use raconteur_body::figure::{Figure, MaterialKind, Mesh};
 
-/// Source and colour of a head's hair.
+/// Hair of a head: its source (own, none or a donor) and colour.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default)]
 pub struct Hair {
     /// `own` (same as an empty text), `none` (shaved), `bald` (never grew), or the name of a
     /// [`HairDonor`].
     pub from: String,
-    /// Its colour; as it is without.
+    /// Colour of the hair; `None` keeps the original one.
     pub colour: Option<HairColour>,
 }
 
@@ -35,20 +35,21 @@ impl Hair {
         matches!(self.from.as_str(), "none" | "bald")
     }
 
-    /// Returns the name of the hair donor.
+    /// Returns the name of the hair donor; `None` if the hair is the figure's own or there is none.
     #[must_use]
     pub fn lender(&self) -> Option<&str> {
         (!self.is_own() && !self.is_none()).then_some(self.from.as_str())
     }
 }
 
-/// Accessories and hair of a head. The default leaves the figure unchanged.
+/// Look of a head in addition to its face: hair, beard, colours and accessories. The default leaves
+/// the figure unchanged.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default)]
 pub struct Look {
-    /// On the scalp.
+    /// Hair on the scalp.
     pub hair: Hair,
-    /// On cheeks, chin and upper lip.
+    /// Beard on cheeks, chin and upper lip.
     pub beard: Hair,
     /// Colour of brows and lashes; that of the face without.
     pub brows: Option<HairColour>,
@@ -60,7 +61,7 @@ pub struct Look {
     pub wear: Vec<Accessory>,
 }
 
-/// Hair that is lent, by name.
+/// Hair donors by name.
 pub type HairDonors = BTreeMap<String, HairDonor>;
 
 impl Reshaper {

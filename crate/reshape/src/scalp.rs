@@ -23,14 +23,16 @@ const LIT: u8 = 238;
 /// scalp.
 const FOREHEAD: f64 = 0.6;
 
-/// Paint for the texture of a figure's skin that gives hair of another colour or cut its own scalp.
+/// Paint for the skin texture under hair of another colour or cut, which replaces the figure's own
+/// scalp colour.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ScalpPaint {
     /// Colour of the texture under hair, linear red, green and blue, 0..1.
     pub rgb: [f64; 3],
     /// Texture coordinates of triangles under hair, three to each.
     pub corners: Vec<[f32; 2]>,
-    /// Of those where the figure's own hair is painted and no hair is.
+    /// Texture coordinates of those triangles where the figure's own hair is painted but no hair
+    /// grows.
     pub bare: Vec<[f32; 2]>,
     /// Texture coordinates of skin that resembles a bare scalp.
     pub like: [f32; 2],
@@ -51,7 +53,7 @@ impl Reshaper {
         paint
     }
 
-    /// Texture coordinates of triangles where the figure's own beard is painted.
+    /// Returns texture coordinates of the triangles on which the figure's own beard is painted.
     fn shaved(&self) -> Vec<[f32; 2]> {
         let own = &self.figure.meshes[self.head];
         let roots = roots(&self.figure, self.origin, Strands::Face);
@@ -126,7 +128,7 @@ impl Reshaper {
         }
     }
 
-    /// Texture coordinates of some triangles of the skin.
+    /// Returns the texture coordinates of the selected triangles of the skin, three per triangle.
     fn charted(&self, is_wanted: impl Fn(&&[u32; 3]) -> bool) -> Vec<[f32; 2]> {
         let uvs = &self.figure.meshes[self.head].uvs;
         let triangles = self.triangles.iter().filter(is_wanted);
@@ -204,7 +206,7 @@ fn is_hair(mesh: &&Mesh) -> bool {
     mesh.material.kind == MaterialKind::Hair && mesh.name != hairs::BEARD
 }
 
-/// Mean colour of the hair on a scalp, linear.
+/// Returns the mean colour of the hair on the scalp, linear RGB.
 fn mean_colour(figure: &Figure) -> [f64; 3] {
     let mut sum = [0.0; 3];
     let mut count = 0.0_f64;

@@ -9,10 +9,10 @@ use super::surface_point::{Chart, SurfacePoint};
 use super::{Reshaper, wide};
 use raconteur_body::figure::Figure;
 
-/// Kind of skin speckle.
+/// Kind of small skin mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpeckleKind {
-    /// Most on nose and cheeks.
+    /// Freckles, mostly on nose and cheeks.
     Freckles,
     /// Stubble of a shaved beard.
     Stubble,
@@ -22,12 +22,12 @@ pub enum SpeckleKind {
     Moles,
 }
 
-/// A spot.
+/// Small skin mark, such as a freckle or mole, with its position on the skin texture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Speckle {
     /// Chart of its position on the skin texture.
     pub chart: Chart,
-    /// Strength, 0..1.
+    /// Strength of the mark, 0..1.
     pub strength: f64,
 }
 
@@ -49,7 +49,7 @@ impl SpeckleKind {
     }
 }
 
-/// The face that is spotted, in the frame of the head, metres.
+/// Landmarks of the face on which skin marks are placed, in the frame of the head, metres.
 pub(super) struct FacePoints {
     sellion: DVec3,
     stomion: DVec3,
@@ -134,7 +134,7 @@ impl FacePoints {
         }
     }
 
-    /// About the eyes, whose lids have few.
+    /// Returns true if a point is near the eyes, whose lids have few marks.
     fn on_lids(&self, p: DVec3) -> bool {
         let (x, y) = (p.x.abs() / self.lobe.x.max(0.03), p.y - self.sellion.y);
         let (x, y) = ((x - 0.44) / 0.27, (y + 0.006) / 0.014);

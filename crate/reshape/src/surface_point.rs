@@ -6,8 +6,8 @@ use super::{Reshaper, wide};
 use raconteur_body::figure::{Figure, Mesh};
 use raconteur_body::skeleton::Bone;
 
-/// Point on the skin: the corners of a triangle and their barycentric weights. It is the same point
-/// on every head.
+/// Point on the skin as the corners of a triangle and their barycentric weights; it denotes the
+/// same point on every head.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePoint {
     /// Vertices of the skin.
@@ -35,7 +35,8 @@ impl SurfacePoint {
     }
 }
 
-/// Local mapping from the skin to its textures around a point.
+/// Local mapping from the skin to its texture around a point, used to paint marks without
+/// distortion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chart {
     /// Texture coordinates of the spot.
@@ -43,7 +44,7 @@ pub struct Chart {
     /// Change of the texture coordinates over a metre of skin to the viewer's right, facing the
     /// face.
     pub right: [f64; 2],
-    /// And upwards.
+    /// Change of the texture coordinates over a metre of skin upwards.
     pub up: [f64; 2],
 }
 

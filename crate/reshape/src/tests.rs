@@ -1,6 +1,7 @@
 //! Faces on a shipped figure.
 
 mod look;
+mod points;
 
 use raconteur_base::noise;
 

@@ -25,7 +25,7 @@ impl Serialize for Bytes {
     }
 }
 
-/// Speech synthesiser in a page.
+/// Speech synthesiser with one voice, for web pages.
 #[wasm_bindgen]
 pub struct Speaker(crate::Speaker);
 
@@ -60,7 +60,7 @@ impl Speaker {
     }
 }
 
-/// Speech in progress.
+/// Synthesis of a script's speech in progress, advanced one utterance at a time by the page.
 #[wasm_bindgen]
 pub struct PendingSpeech(page::PageBake);
 
@@ -82,7 +82,7 @@ fn js_error(error: anyhow::Error) -> JsError {
     JsError::new(&format!("{error:#}"))
 }
 
-/// Runs when an instance is made.
+/// Installs the panic handler when the wasm module is instantiated.
 #[wasm_bindgen(start)]
 pub fn start() {
     raconteur_base::panic::keep_messages();

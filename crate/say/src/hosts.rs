@@ -16,7 +16,7 @@ thread_local! {
     static HOST: RefCell<Option<Object>> = const { RefCell::new(None) };
 }
 
-/// The engine of a name, run by `host`: a class of `web/speech` or of a package.
+/// Returns the speech engine of a name, run by `host`: a class of `web/speech` or of a package.
 pub(crate) fn engine(name: &str, host: Object) -> Result<Box<dyn Engine>> {
     HOST.set(Some(host));
     if let Some(engine) = hosted(name, &Worker) {

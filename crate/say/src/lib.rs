@@ -22,7 +22,8 @@ use raconteur_voice::text::Lexicon;
 /// Maximum length of a script spoken on demand, bytes.
 pub const MAX_BYTES: usize = 1 << 20;
 
-/// Speaks with one voice, and with the effects of a script's markup.
+/// Speech synthesiser with one voice, for the texts of a script including the effects of its
+/// markup.
 ///
 /// # Examples
 ///
@@ -82,7 +83,7 @@ impl Speaker {
         Ok(PageBake::new(speech_requests(&parsed.document), known))
     }
 
-    /// Speaks the next utterance, like [`PageBake::step`].
+    /// Synthesises the next utterance, see [`PageBake::step`].
     ///
     /// # Errors
     /// As [`PageBake::step`].

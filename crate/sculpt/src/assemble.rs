@@ -13,10 +13,10 @@ use raconteur_body::springs::Springs;
 use raconteur_body::write::weights_in_255ths;
 use raconteur_tissue::Binding;
 
-/// Mesh part with optional explicit normals.
+/// Mesh part of a figure under construction, with optional explicit normals.
 #[derive(Clone, Debug)]
 pub struct PartWithNormals {
-    /// The part.
+    /// Mesh part; its normals may be overridden.
     pub part: MeshPart,
     /// One unit normal for each vertex; `None` computes them from the faces. Strand cards have
     /// their own, which follow the head's volume rather than the card.
@@ -32,18 +32,19 @@ impl From<MeshPart> for PartWithNormals {
     }
 }
 
-/// Everything a figure is made of, in the bind pose, world frame, metres.
+/// Construction data of a figure (bones, parts, hair chains, images) in the bind pose, world frame,
+/// metres.
 #[derive(Clone, Debug)]
 pub struct Blueprint {
     /// Name of the figure.
     pub name: String,
     /// Origins of the bones.
     pub positions_in_world: [DVec3; Bone::COUNT],
-    /// World from bone.
+    /// Bind rotations of the bones, world from bone.
     pub bind_rotations: [DQuat; Bone::COUNT],
     /// Centres of the eyes.
     pub face: FaceJoints,
-    /// Standing height, metres.
+    /// Standing height of the figure, metres.
     pub stature_m: f64,
     /// Upper-lid rotation that closes the eye, radians, left and right.
     pub lid_closure_rad: [f64; 2],
@@ -326,8 +327,8 @@ impl Seams {
     }
 }
 
-/// A polygon of three or four corners as triangles; a quad is split along its shorter
-/// diagonal, and triangles without area are left out.
+/// Splits a polygon of three or four corners into triangles; a quad is split along its shorter
+/// diagonal, and triangles without area are omitted.
 pub(super) fn triangles(face: &[u32], positions: &[DVec3]) -> Vec<[u32; 3]> {
     let p = |i: usize| positions[face[i] as usize];
     let mut out = Vec::with_capacity(2);

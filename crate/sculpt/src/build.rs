@@ -179,7 +179,8 @@ pub(super) fn face_tissue(head: &Head, place: DAffine3, figure: &Figure) -> Tiss
     tissue::tissue(&head.soft, &place, &bones::of_head(figure), &rigid, hinge)
 }
 
-/// The head's names on the mesh that its skin became: that mesh begins with the head.
+/// Returns the landmarks and segments of the head on the mesh that contains its skin; that mesh
+/// begins with the head.
 fn annotations(head: &Head, figure: &Figure) -> Annotations {
     let name = &head.skin().name;
     let Some(mesh) = figure.meshes.iter().position(|m| m.name == *name) else {
@@ -208,7 +209,8 @@ fn annotations(head: &Head, figure: &Figure) -> Annotations {
     }
 }
 
-/// A hand in the world and its skin for the maps; its finger joints replace the skeleton's.
+/// Builds a hand in world coordinates with the skin for its texture maps; its finger joints replace
+/// those of the skeleton.
 fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> (Vec<MeshPart>, HandSheet) {
     let built = hand::build(params, side);
     let wrist = Bone::on(side, "wrist");
@@ -234,7 +236,7 @@ fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> (Vec<Mesh
     (parts, built.sheet)
 }
 
-/// The body's own neck, just below the head's skin and inside the collar.
+/// Builds the body's own neck, just below the head's skin and inside the collar.
 fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> MeshPart {
     let (mut shell, _) = cage.extract(|t| Cage::is_above(t, 0.826)).subdivided(1);
     let rim = head

@@ -3,10 +3,10 @@
 use raconteur_body::annotation::Annotations;
 use raconteur_body::figure::Figure;
 
-/// A figure with data on its surface.
+/// Generated figure with landmarks and segments on its surface.
 #[derive(Clone, Debug)]
 pub struct AnnotatedFigure {
-    /// The figure itself.
+    /// Generated figure.
     pub figure: Figure,
     /// Names on its meshes.
     pub annotations: Annotations,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use raconteur_base::DVec3;
 
-/// Points indexed by grid cell.
+/// Points indexed by cubic grid cell, to find those near a position.
 pub(crate) struct Cells {
     width: f64,
     cells: BTreeMap<[i32; 3], Vec<u32>>,

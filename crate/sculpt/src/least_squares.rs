@@ -16,7 +16,7 @@ pub(crate) fn least_squares(
     free_rows: &[Terms],
 ) -> Option<Vec<DVec3>> {
     let mut triplets: Vec<Triplet<usize, usize, f64>> = Vec::new();
-    // A trace of the identity keeps unconstrained vertices solvable.
+    // A small multiple of the identity keeps unconstrained vertices solvable.
     triplets.extend((0..unknowns).map(|i| Triplet::new(i, i, 1e-9)));
     for row in rows.iter().map(|(r, _)| r).chain(free_rows) {
         for &(i, a) in row {

@@ -1,5 +1,4 @@
-//! Hair as a file of its own, which a figure with any face of the model can wear
-//! (`reshape::Lender`).
+//! Hair as a separate file, for a figure with any face of the model (`reshape::Lender`).
 
 use raconteur_base::{DAffine3, DVec3};
 use raconteur_body::figure::{Figure, Material, MaterialKind, TextureMaps};

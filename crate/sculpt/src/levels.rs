@@ -1,9 +1,9 @@
-//! Levels of detail: coarser triangles over the vertices that a figure's meshes already have.
+//! Levels of detail: coarser triangles over the existing vertices of a figure's meshes.
 //!
-//! The simplifier is meshoptimizer's (edge collapses by quadric error, Garland & Heckbert 1997,
-//! DOI 10.1145/258734.258849, with attributes after Hoppe 1999). Vertices stay where they are, so
-//! that skinning, morphs and tissue move every level alike. Lips, lids and the other borders of the
-//! skin are kept whole: they must meet on every level.
+//! The simplifier is meshoptimizer's (edge collapses by quadric error, Garland & Heckbert 1997, DOI
+//! 10.1145/258734.258849, with attributes after Hoppe 1999). Vertices stay in place, so that
+//! skinning, morph targets and tissue move all levels alike. Lips, lids and the other borders of
+//! the skin are preserved completely: they must meet on every level.
 
 mod cards;
 
@@ -175,12 +175,12 @@ fn coarser(mesh: &Mesh, focus: &[Focus], locked: &[bool]) -> Vec<Vec<u32>> {
         .flatten()
         .flat_map(|x| x.to_ne_bytes())
         .collect();
-    // Positions fill whole strides, so that no error is left to tell.
+    // Positions fill whole strides, so no error can occur.
     let Ok(vertices) = VertexDataAdapter::new(&positions, size_of::<[f32; 3]>(), 0) else {
         return Vec::new();
     };
     let options = match mesh.material.kind {
-        // Cards are nothing but borders.
+        // Cards consist only of borders.
         MaterialKind::Lash => SimplifyOptions::ErrorAbsolute,
         _ => SimplifyOptions::ErrorAbsolute | SimplifyOptions::LockBorder,
     };

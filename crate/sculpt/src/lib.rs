@@ -1,4 +1,4 @@
-//! Makes figures from anthropometry.
+//! Figure generator, based on anthropometry.
 //!
 //! Each region (head, hands, body, clothes, hair) yields [`part::MeshPart`]s in metres, engine
 //! frame, bind pose; [`assemble`] joins them on one skeleton and [`write`] stores glTF.

@@ -1,5 +1,5 @@
-//! What a face looks like apart from its shape, as numbers: skin, lips, irises, brows. Examples of
-//! texture are drawn from them, and a figure is given them back.
+//! Appearance of a face apart from its shape, as numbers: skin, lips, irises, brows. Texture
+//! examples are generated from them, and they can be applied to a figure again.
 
 use raconteur_base::{noise, ops};
 

@@ -1,4 +1,4 @@
-//! A body that stands ready to be dressed: its head in place, its skin down to the collar.
+//! Body ready for clothes: its head in place, its skin down to the collar.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DVec3};

@@ -1,4 +1,4 @@
-//! Distances of a finished figure, beside their statistics.
+//! Distances of a finished figure, compared with their statistics.
 
 use raconteur_base::DVec3;
 
@@ -264,7 +264,7 @@ mod tests {
             let glb = to_packed_glb(&built.figure, &built.annotations);
             let mut back = annotations(&glb).unwrap_or_else(|e| panic!("{e}"));
             let mut sent = built.annotations.clone();
-            // The file holds landmarks by name.
+            // The file stores landmarks by name.
             back.landmarks.sort_by(|a, b| a.name.cmp(&b.name));
             sent.landmarks.sort_by(|a, b| a.name.cmp(&b.name));
             assert_eq!(back, sent);

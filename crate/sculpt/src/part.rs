@@ -1,4 +1,4 @@
-//! What a region of the generator yields: polygons with colours, weights and morphs.
+//! Output of a generator region: polygons with colours, weights and morph targets.
 
 use raconteur_base::DVec3;
 

@@ -1,4 +1,4 @@
-//! The description of a person, the input of the maker.
+//! Description of a person, the input of the generator.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,20 +1,20 @@
-//! Heights, lengths, breadths and girths of a body, beside what surveys say.
+//! Heights, lengths, breadths and girths of a body, compared with surveys.
 //!
-//! As an anthropometrist does, heights and lengths are taken between bones that can be felt
-//! through the skin, and girths with a tape that bridges hollows: on the figure's own bones,
-//! on its neck, and on the body under its clothes. The arm is hung from the shoulder first;
-//! the figure's rest pose holds it away.
+//! As in anthropometry, heights and lengths are taken between bones palpable through the skin, and
+//! girths with a tape that bridges hollows: on the figure's own bones, on its neck, and on the body
+//! under its clothes. The arm first hangs from the shoulder, because the figure's rest pose holds
+//! it away.
 //!
-//! Adults: ANSUR II (Gordon et al. 2014; 4082 men, 1986 women of the US Army, mean age 30).
-//! Means of each sex are the survey's. Deviations are those within a sex, found from the
-//! deviation of both sexes together (published for all 6068) with the same coefficient of
-//! variation in both. Girths of trunk and legs: Heinz, Peterson, Johnson and Kerk 2003,
-//! doi:10.1080/10691898.2003.11910711 (247 men, 260 women, young and active), because
-//! soldiers are heavy for their stature. Loss of height with age: 3 cm for men and 5 cm for women from 30 to 70
-//! (Sorkin, Muller and Andres 1999, Am. J. Epidemiol. 150), all of it above the legs;
-//! thickening of the neck: slope over the age of ANSUR II's subjects; of the trunk: designed.
-//! At nine: stature is the median of the CDC's growth charts of 2000; the other shares are
-//! designed, in the order of size of Snyder et al. 1977 (UM-HSRI-77-17), not read again.
+//! Adults: ANSUR II (Gordon et al. 2014; 4082 men, 1986 women of the US Army, mean age 30). Means
+//! of each sex are the survey's. Deviations are those within a sex, derived from the deviation of
+//! both sexes together (published for all 6068) with the same coefficient of variation in both.
+//! Girths of trunk and legs: Heinz, Peterson, Johnson and Kerk 2003,
+//! doi:10.1080/10691898.2003.11910711 (247 men, 260 women, young and active), because soldiers are
+//! heavy for their stature. Loss of height with age: 3 cm for men and 5 cm for women from 30 to 70
+//! (Sorkin, Muller and Andres 1999, Am. J. Epidemiol. 150), all of it above the legs; thickening of
+//! the neck: slope over the age of ANSUR II's subjects; of the trunk: designed. At nine: stature is
+//! the median of the CDC's growth charts of 2000; the other shares are designed, in the order of
+//! size of Snyder et al. 1977 (UM-HSRI-77-17), not read again.
 
 use std::collections::BTreeMap;
 
@@ -283,7 +283,7 @@ impl Physique<'_> {
         let names = &self.built.annotations;
         let mesh = &self.built.figure.meshes[names.landmark("lar")?.mesh];
         let at = |v: u32| DVec3::from_array(mesh.positions[v as usize].map(f64::from)) - place;
-        // The body's own neck goes on down to the shoulders, and the hands lie far off.
+        // The body's own neck continues down to the shoulders, and the hands are far away.
         let middle = self.joint(Bone::Cervical);
         let mut cuts = Vec::new();
         for t in mesh.indices.chunks_exact(3) {
@@ -417,7 +417,7 @@ mod tests {
         params.person.build = 0.8;
         let large = body_readings(&params, params.person, &crate::build(&params));
         for (s, l) in small.iter().zip(&large) {
-            // The head, and with it the neck's skin, keeps the size of its own statistics.
+            // The head, including the neck's skin, keeps the size of its own statistics.
             let most = if s.name == "neck_girth" { 0.98 } else { 1.03 };
             assert!(l.mm > s.mm * most, "{} {} {}", s.name, s.mm, l.mm);
         }

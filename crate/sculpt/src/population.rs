@@ -1,5 +1,5 @@
-//! Heads brought to a population: their measures get the means, deviations and correlations that
-//! surveys found, and the rest of each head follows as heads of the crowd do.
+//! Fitting of heads to a population: their measures receive the means, deviations and correlations
+//! of surveys, and the rest of each head follows as in the crowd's heads.
 
 use faer::linalg::solvers::Solve as _;
 use faer::{Mat, Side as Half};
@@ -174,7 +174,7 @@ fn targets(people: &[Traits], heads: &[ModelHeadShape]) -> Mat<f64> {
         let known = || known_correlation(measure_at(i)?, measure_at(j)?);
         known().unwrap_or(given[(i, j)])
     }));
-    // The least change that gives these correlations.
+    // The smallest change that gives these correlations.
     let turn = power(&valid(&given), -0.5) * power(&wanted, 0.5);
     let mixed = left * turn;
     let rows: Vec<_> = known_measures().map(|m| m.row).collect();

@@ -1,4 +1,4 @@
-//! A figure in other poses than the one in which it was made.
+//! Figure in poses other than its bind pose.
 
 use raconteur_base::{DAffine3, DQuat};
 use raconteur_body::figure::Figure;

@@ -1,7 +1,7 @@
-//! How far a face lies from a yardstick: a mesh of a human face in an OBJ file, with the 68
-//! landmarks of the iBUG scheme named beside it.
+//! Distance of a face from a reference: a mesh of a human face in an OBJ file, with an accompanying
+//! list of the 68 landmarks of the iBUG scheme.
 //!
-//! The yardstick is a ruler: none of its vertices enters a figure. Alignment is by
+//! The reference serves only for measurement: none of its vertices enters a figure. Alignment is by
 //! similarity, first on landmarks, then on closest points.
 
 use std::collections::BTreeMap;
@@ -138,7 +138,7 @@ fn visible_face(figure: &Figure, names: &Annotations) -> Result<Vec<DVec3>, Refe
     let mesh = &figure.meshes[skin];
     let half = (left.x - right.x) / 2.0 * 0.9;
     let height = n.y - gn.y;
-    // Which segments count: eyes, ears and the rest do not, nor do nostrils.
+    // The compared segments exclude eyes, ears, nostrils and the rest.
     let mut counts = vec![false; mesh.positions.len()];
     for s in names.segments.iter().filter(|s| s.mesh == skin) {
         let hidden = ["ears", "rest", "eyes and lids", "nose base"];
@@ -152,7 +152,7 @@ fn visible_face(figure: &Figure, names: &Annotations) -> Result<Vec<DVec3>, Refe
             }
         }
     }
-    // The front-most skin in each cell of a frontal grid: what lies 4 mm behind is covered.
+    // The front-most skin in each cell of a frontal grid: skin 4 mm behind it is covered.
     let at = |i: usize| DVec3::from_array(mesh.positions[i].map(f64::from)) * 1e3;
     let frontal = |p: DVec3| [(p.x / 2.5).round() as i32, (p.y / 2.5).round() as i32];
     let mut front: BTreeMap<[i32; 2], f64> = BTreeMap::new();

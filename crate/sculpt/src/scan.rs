@@ -1,4 +1,4 @@
-//! A mesh of a head that somebody else made, from a Wavefront OBJ file.
+//! Head mesh of another source, from a Wavefront OBJ file.
 
 use raconteur_base::DVec3;
 

@@ -1,4 +1,4 @@
-//! The similarity that lays points on others: Umeyama 1991, doi:10.1109/34.88573; rotation by unit
+//! Similarity that aligns two point sets: Umeyama 1991, doi:10.1109/34.88573; rotation by unit
 //! quaternion, Horn 1987, doi:10.1364/JOSAA.4.000629.
 
 use raconteur_base::{DMat3, DQuat, DVec3};

@@ -1,17 +1,17 @@
-//! Statistics of human heads: mean and standard deviation of a distance for a sex and an
-//! age.
+//! Statistics of human heads: mean and standard deviation of a distance for a sex and an age.
 //!
-//! A small table condensed from surveys. Each row holds the adult mean at 30 and its
-//! deviation for men and women, the share of it at nine years, and the change a year after
-//! 30. Means of adults are *measured*; shares of children measured where a growth curve
-//! exists and otherwise *designed* after general proportions; changes with age measured
-//! where ANSUR II gives a slope, else designed.
+//! The source is a small table condensed from surveys. Each row contains the adult mean at 30 and
+//! its deviation for men and women, the share of it at nine years, and the change per year after
+//! 30.
+//! Means of adults are *measured*; shares of children are measured where a growth curve exists and
+//! otherwise *designed* after general proportions; changes with age are measured where ANSUR II
+//! gives a slope, otherwise designed.
 //!
-//! Sources: ANSUR II public data (Gordon et al. 2014, US Army, n = 4082 men, 1986 women;
-//! means computed by this project); US respirator users (Zhuang et al. 2010,
-//! doi:10.1093/annhyg/meq007); 3D Facial Norms growth curves of European Americans
-//! (Weinberg et al. 2016, doi:10.1597/15-199) as smoothed by Cliniface, value at 25;
-//! Farkas 1994 for fissure height and mandible. The table of each row names its own.
+//! Sources: ANSUR II public data (Gordon et al. 2014, US Army, n = 4082 men, 1986 women; means
+//! computed by this project); US respirator users (Zhuang et al. 2010, doi:10.1093/annhyg/meq007);
+//! 3D Facial Norms growth curves of European Americans (Weinberg et al. 2016, doi:10.1597/15-199)
+//! as smoothed by Cliniface, value at 25; Farkas 1994 for fissure height and mandible. Each row of
+//! the table names its own source.
 
 /// Source of a row's adult values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,8 +1,8 @@
-//! Catmull–Clark subdivision as stencils, so that positions, weights, colours and
-//! morphs all follow the same rule.
+//! Catmull–Clark subdivision as stencils, so that positions, weights, colours and morph targets
+//! follow the same rule.
 //!
-//! Source: Catmull and Clark 1978, doi:10.1016/0010-4485(78)90110-0; boundary curves are
-//! cubic B-splines. Limit mask of interior vertices as in Halstead, Kass and DeRose 1993,
+//! Source: Catmull and Clark 1978, doi:10.1016/0010-4485(78)90110-0; boundary curves are cubic
+//! B-splines. Limit mask of interior vertices as in Halstead, Kass and DeRose 1993,
 //! doi:10.1145/166117.166121.
 
 use std::collections::BTreeMap;
@@ -86,7 +86,7 @@ fn vertex_terms<'a>(
             terms.push((if e.0 == v { e.1 } else { e.0 }, 0.125));
         }
     } else if !rim.is_empty() {
-        // A corner where several boundaries meet stays.
+        // A corner where several boundaries meet stays in place.
         terms.push((v, 1.0));
     } else {
         let n = around.len() as f64;

@@ -1,4 +1,4 @@
-//! Nearest places on a mesh of triangles.
+//! Nearest points on a triangle mesh.
 
 use raconteur_base::DVec3;
 

@@ -1,5 +1,5 @@
-//! A face of two equal halves stays one while the controls of both halves are equal. The
-//! figure is made here: no shipped figure has two equal halves.
+//! A face of two equal halves stays symmetric while the controls of both halves are equal. The test
+//! generates the figure, because no shipped figure has two equal halves.
 
 use std::collections::BTreeMap;
 

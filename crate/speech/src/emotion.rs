@@ -1,5 +1,5 @@
-//! Emotions: words with their place in the space of activation, evaluation and power (F&H
-//! 4.4.1). Emoticons that stand for them are EML's.
+//! Words of emotions with their position in the space of activation, evaluation and power (F&H
+//! 4.4.1). Their emoticons are part of EML.
 
 /// A point in the emotion space; each dimension from −100 to 100, 0 is neutral.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,7 +1,7 @@
-//! Speech that was computed ahead: bundles of audio with words, phones and melody, phone sets
-//! and what a mouth does for each phone; words for emotions.
+//! Precomputed speech: bundles of audio with words, phones and pitch contour, phone sets and the
+//! mouth shape of each phone; words for emotions.
 //!
-//! Does not: make speech (`voice` does) or move a face (`actor`).
+//! Out of scope: speech synthesis (`voice`) and face motion (`actor`).
 
 pub mod bundle;
 pub mod emotion;

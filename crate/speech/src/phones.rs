@@ -1,16 +1,14 @@
-//! What a mouth does for each phone of English, German and Portuguese: targets, dominance
-//! and viseme.
+//! Mouth shapes for each phone of English, German and Portuguese: targets, dominance and viseme.
 //!
-//! The ten channels follow the visual-speech set of F&H section 3.1.3 (Albrecht):
-//! contraction and protrusion of the orbicularis oris, mentalis, risorius (`spread`),
-//! depressor labii inferioris, with jaw and tongue parameters, and an aperture of the
-//! lips for faces without muscles. Her numbers are not published: **targets and
-//! dominances are designed**. Bilabials get a dominance that keeps neighbours 80 ms away
-//! within a few hundredths of closed; rounding begins early and decays slowly. Visemes are
-//! the fifteen of OpenXR's `XR_META_face_tracking_visemes`.
+//! The ten channels follow the visual-speech set of F&H section 3.1.3 (Albrecht): contraction and
+//! protrusion of the orbicularis oris, mentalis, risorius (`spread`), depressor labii inferioris,
+//! with jaw and tongue parameters, and an aperture of the lips for faces without muscles. Her
+//! numbers are not published: **targets and dominances are designed**. Bilabials have a dominance
+//! that keeps neighbours 80 ms away within a few hundredths of closed; rounding begins early and
+//! decays slowly. Visemes are the fifteen of OpenXR's `XR_META_face_tracking_visemes`.
 //!
-//! A [`PhoneRow`] is an index into the table. Symbols of a phone set are resolved to rows by
-//! bakers ([`find`]); a bundle names the rows, and its reader resolves the names once.
+//! A [`PhoneRow`] is an index into the table. Bakers resolve symbols of a phone set to rows
+//! ([`find`]); a bundle names the rows, and its reader resolves the names once.
 
 mod columns;
 mod names;

@@ -1,4 +1,4 @@
-//! An utterance at its time in a story.
+//! Utterance at its time in a story.
 
 use std::sync::Arc;
 

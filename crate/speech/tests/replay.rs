@@ -1,5 +1,5 @@
-//! What the fuzz target of speech bundles has kept, once more: every input is refused or can
-//! be asked, and none panics.
+//! Replay of the speech bundle fuzz target's corpus: every input is rejected or can be queried, and
+//! none panics.
 
 use std::fs;
 use std::path::Path;

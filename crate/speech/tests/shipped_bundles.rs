@@ -1,5 +1,5 @@
-//! The bundles that are shipped with the stories: whole, consistent with their stories, and
-//! with sound that lasts as long as they say. Needs no speech engine.
+//! Bundles shipped with the stories: complete, consistent with their stories, and with audio of the
+//! specified duration. The test needs no speech engine.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -31,7 +31,7 @@ fn stories() -> Vec<PathBuf> {
     let mut stories = Vec::new();
     below(&folder, &mut stories);
     stories.sort();
-    // A dance to music alone has nothing to say, and so no voice.
+    // A dance to music without speech has no voice.
     let (spoken, silent): (Vec<PathBuf>, Vec<PathBuf>) = stories
         .into_iter()
         .partition(|story| !spoken_words(story).is_empty());
@@ -62,7 +62,7 @@ fn spoken_words(story: &Path) -> Vec<Vec<String>> {
                 let mut words: Vec<String> = Vec::new();
                 let is_emoticon = |token: &&str| token.starts_with([':', ';']) && token.len() > 1;
                 for token in text.split_whitespace().filter(|t| !is_emoticon(t)) {
-                    // Signs on their own are shown with the word before.
+                    // Isolated signs are shown with the preceding word.
                     match words
                         .last_mut()
                         .filter(|_| !token.contains(char::is_alphanumeric))
@@ -125,7 +125,7 @@ fn mp3_secs(bytes: &[u8]) -> f64 {
     assert_eq!(bytes[1] & 0xfe, 0xfa, "MPEG-1 layer III");
     let rate = [44_100.0, 48_000.0, 32_000.0][usize::from(bytes[2] >> 2 & 3)];
     assert_eq!(bytes[3] >> 6, 3, "one channel");
-    // Mono: 4 bytes of header and 17 of side information come before it.
+    // Mono: preceded by 4 bytes of header and 17 of side information.
     let info = &bytes[21..];
     assert!(
         &info[..4] == b"Xing" || &info[..4] == b"Info",

@@ -1,6 +1,6 @@
-//! The key by which a bundle finds the utterance of a clause: a digest of the words, their markup,
-//! the voice, the emotion and the tension, not of the position or the spelling of tags, so that a story may
-//! be rearranged and written otherwise without being baked anew.
+//! Key of a clause's utterance in a bundle: a digest of the words, their markup, the voice, the
+//! emotion and the tension. It excludes the position and the spelling of tags, so that a story may
+//! be rearranged and reformatted without another bake.
 
 use raconteur_eml::{ClauseKind, Level, Markup, TextSegment, VoiceSay, VoiceText};
 
@@ -60,7 +60,7 @@ pub(super) fn key_of(spoken: &SpokenClause<'_>) -> u64 {
     if let Some(emotion) = spoken.emotion {
         hash.text(emotion.kind.map_or("", raconteur_eml::EmotionKind::word));
         hash.number(emotion.intensity());
-        // Nothing for absent attributes, so that a word alone keeps its key.
+        // Absent attributes add nothing, so that a word alone keeps its key.
         let given = [emotion.activation, emotion.evaluation, emotion.power];
         for (sign, value) in (0xf5..).zip(given) {
             if let Some(value) = value {
@@ -102,7 +102,7 @@ fn voice_text(hash: &mut Hash, voice: &VoiceText) {
     // White space between two words is one space, however much there is.
     let (mut begun, mut parted) = (false, false);
     for piece in &voice.pieces {
-        // Each kind of piece has a byte that no text holds.
+        // Each kind of piece has a byte that occurs in no text.
         match piece {
             TextSegment::Text { text, .. } => {
                 for byte in text.bytes() {
@@ -134,7 +134,7 @@ fn voice_text(hash: &mut Hash, voice: &VoiceText) {
                 hash.bytes(&[0xfa, kind.map_or(0, |k| k as u8 + 1)]);
             }
             TextSegment::DivEnd => hash.bytes(&[0xfb]),
-            // Words may go on through these, so that white space beside them counts.
+            // Words may continue across these elements, so adjacent white space counts.
             TextSegment::Start { markup, .. } => {
                 hash.bytes(&[0xfe, u8::from(parted)]);
                 hash.text(markup.name());

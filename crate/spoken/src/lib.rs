@@ -1,8 +1,8 @@
-//! What a script says: its spoken clauses in document order, by which voice and in which emotion, and
-//! the keys of their utterances in a speech bundle.
+//! Speech content of a script: its spoken clauses in document order, with their voices and
+//! emotions, and the keys of their utterances in a speech bundle.
 //!
-//! Bakers and the player know a clause by the same key. It lies apart from both, so that voices are not
-//! compiled again when something moves otherwise.
+//! Bakers and the player use the same key for a clause. The crate is separate from both, so that a
+//! change of motion does not recompile the voices.
 
 #![cfg_attr(
     test,

@@ -1,4 +1,4 @@
-//! The camera, and shots that frame the speaker.
+//! Camera and shots that frame the speaker.
 
 use raconteur_base::curve::lerp;
 use raconteur_base::{DQuat, DVec3, Length, ops};
@@ -59,7 +59,7 @@ impl Camera {
         let [bottom, top] = [span.bottom, span.top].map(|s| feet_in_world.y + s * stature_m);
         let half_height = 0.5 * (top - bottom);
         let half_width = half_height * aspect;
-        // It follows a figure that leaves the middle only as far as it must.
+        // The camera follows an off-centre figure only as far as necessary.
         let play = half_width - half_height * aside.abs() - 0.5 * AT_REST * stature_m;
         let across = 1.0 - (play / STAGE_HALF_WIDTH_M).clamp(0.0, 1.0);
         let eye = self.eye_in_world.with_x(across * feet_in_world.x);
@@ -68,7 +68,7 @@ impl Camera {
         let pitch = 0.5 * (down + up);
         Self {
             eye_in_world: eye,
-            // It turns from where it stands, so that whom the figure looks at stays.
+            // The camera turns in place, so that the figure keeps looking at the same viewer.
             target_in_world: DVec3::new(
                 eye.x - aside * half_height,
                 eye.y + depth * ops::tan(pitch),
@@ -248,9 +248,9 @@ impl Shot {
         let half_width = extent.half_width * stature_m;
         let tangent = ops::tan(0.5 * fov_y_rad);
         let aspect = aspect.clamp(0.2, 5.0);
-        // The lens looks down a little, which brings the upper corners nearer to it: 3 %.
+        // The lens looks slightly down, which brings the upper corners nearer to it: 3 %.
         let distance = 1.03 * (half_height / tangent).max(half_width / (tangent * aspect));
-        // What a tall picture shows beyond the shot it shows below, down to the feet: room
+        // A tall image shows the additional area below the shot, down to the feet, because space
         // above a head is empty.
         let spare = distance * tangent - half_height;
         let below = (extent.bottom - Self::Full.extent().bottom).max(0.0) * stature_m;
@@ -258,7 +258,7 @@ impl Shot {
         let play = distance * tangent * aspect - half_width;
         let across = 1.0 - (play / STAGE_HALF_WIDTH_M).min(1.0);
         let middle = feet_in_world * DVec3::new(across, 1.0, FOLLOWED_DEPTH) + DVec3::Y * height;
-        // The lens stands at chest to eye height and looks slightly down or up as needed.
+        // The lens is at chest to eye height and looks slightly down or up as needed.
         let eye_height = feet_in_world.y + (0.80 * stature_m).max(middle.y - feet_in_world.y);
         let camera = Camera {
             eye_in_world: DVec3::new(middle.x, eye_height, middle.z + distance),
@@ -268,7 +268,7 @@ impl Shot {
         };
         match self {
             Self::Long | Self::Full => camera.above_captions(captions),
-            // The others end at the thigh or higher, below resting hands or above all.
+            // The other shots end at the thigh or higher, below resting hands or above all.
             _ => camera,
         }
     }
@@ -438,7 +438,7 @@ mod tests {
                 let limit = ops::tan(c.fov_y_rad / 2.0) * crown.dot(forward);
                 assert!(crown.x < limit * aspect, "{shot:?} {aspect}");
                 assert!(crown.dot(up) < limit, "{shot:?} {aspect}");
-                // It is seen to have gone.
+                // The displacement is visible.
                 assert!(crown.x > 0.05 * limit * aspect, "{shot:?} {aspect}");
             }
         }

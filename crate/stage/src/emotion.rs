@@ -1,5 +1,5 @@
-//! How the environment expresses an emotion (GEVH 3.5.4): the rules for shots, the colours of
-//! table 3.2, equations 3.1 and 3.2, and the valence that music has.
+//! Emotional expression of the environment (GEVH 3.5.4): the rules for shots, the colours of table
+//! 3.2, equations 3.1 and 3.2, and the valence of music.
 
 use crate::camera::Shot;
 

@@ -1,4 +1,4 @@
-//! One moment of the performance.
+//! State of the performance at one time.
 
 use raconteur_base::{DAffine3, NodeState};
 
@@ -26,7 +26,7 @@ pub struct Frame {
     /// Floor and backdrop.
     pub set: Set,
     /// Visible parts of the figure.
-    pub shown: Visibility,
+    pub visibility: Visibility,
     /// World from each manipulator's target frame; rendered when [`Visibility::manipulators`] is
     /// set.
     pub handles: Vec<DAffine3>,
@@ -50,7 +50,7 @@ impl Frame {
             camera: Camera::default(),
             lighting: Lighting::default(),
             set: Set::default(),
-            shown: Visibility::default(),
+            visibility: Visibility::default(),
             handles: Vec::with_capacity(MANIPULATORS),
             lines: Vec::new(),
             pupil_mm: 4.0,

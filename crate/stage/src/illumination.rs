@@ -1,4 +1,4 @@
-//! What emotions, and scripts, do to the light of a stage (GEVH 3.5.4.2).
+//! Effect of emotions and scripts on the light of a stage (GEVH 3.5.4.2).
 
 use raconteur_base::color::srgb_to_linear;
 use raconteur_base::curve::lerp;
@@ -206,7 +206,7 @@ impl Illumination {
     fn moved(&self, towards_light: DVec3) -> DVec3 {
         let level = ops::hypot(towards_light.x, towards_light.z);
         let lift = ops::atan2(towards_light.y, level) + self.lift_rad;
-        // A lamp that hangs high or low by itself stays there.
+        // A lamp that is high or low by default stays there.
         let own = ops::atan2(towards_light.y, level);
         let lift = lift.clamp(MIN_ELEVATION_RAD.min(own), MAX_ELEVATION_RAD.max(own));
         let round = ops::atan2(towards_light.x, towards_light.z);
@@ -258,7 +258,8 @@ mod tests {
                 (strong.softness - lamp.softness).abs() < 1e-12,
                 "the softness of the strong emotion is that of its lamp"
             );
-            // A lamp that goes round turns its light about the figure by as much, and to that side.
+            // A turning lamp turns its light about the figure by the same angle, and to the same
+            // side.
             let own = Lighting::default();
             let side = |l: &Lighting| {
                 let towards = l.key.towards_light_in_world;
@@ -410,7 +411,7 @@ mod tests {
                         emotion.name
                     );
                 }
-                // Nothing is black, and nothing white.
+                // No colour is black or white.
                 let most = key.iter().copied().fold(0.0, f32::max);
                 assert!((0.55..1.35).contains(&most), "{} {most}", emotion.name);
             }

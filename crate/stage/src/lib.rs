@@ -1,9 +1,8 @@
-//! Everything that is seen and heard at one time, as plain data.
+//! Visible and audible state at one time, as plain data.
 //!
-//! Does: the [`Frame`] that a renderer draws, the camera and its framing of the
-//! speaker, lights, floor and backdrop, how all of them express emotions, and what of the figure is
-//! drawn.
-//! Does not: know where a frame came from (`player`) or how it is drawn (`render`).
+//! Scope: the [`Frame`] for the renderer, the camera and its framing of the speaker, lights, floor
+//! and backdrop, their expression of emotions, and the visible parts of the figure.
+//! Out of scope: the source of a frame (`player`) and its rendering (`render`).
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 

@@ -1,4 +1,4 @@
-//! Lines and dots over the body, for those who look at its making.
+//! Lines and dots over the body, for inspection.
 
 /// A straight line over the body, or a dot if both ends coincide. Parts behind the body are
 /// rendered fainter.

@@ -1,5 +1,5 @@
-//! What a character feels over time: the emotions in force, the strongest of them, and the mood that
-//! they leave (GEVH 3.5.4).
+//! Emotional state of a character over time: the current emotions, the strongest of them, and the
+//! resulting mood (GEVH 3.5.4).
 
 use raconteur_base::ops;
 
@@ -158,7 +158,7 @@ impl EmotionTimeline {
         let in_force = in_force.filter(|f| f.is_in_force(time_secs));
         let strongest = in_force.max_by(|a, b| a.potential.total_cmp(&b.potential))?;
         let kept = before.filter(|b| {
-            // What begins later in the script than all that is felt is what the story is about now.
+            // The emotion that begins last in the script is the current topic of the story.
             b.is_in_force(time_secs)
                 && strongest.start_secs <= b.start_secs
                 && strongest.potential < b.potential + HYSTERESIS

@@ -1,4 +1,4 @@
-//! How wide pupils are.
+//! Width of the pupils.
 
 use raconteur_base::ops;
 

@@ -181,11 +181,11 @@ impl Set {
     #[must_use]
     pub fn aside(&self) -> f64 {
         match self.kind {
-            // The hearth lies at the left.
+            // The hearth is on the left.
             StageSet::Fireside => 0.38,
             // The lantern and the window, less of the desk.
             StageSet::Night | StageSet::School => 0.28,
-            // The tree stands at the right.
+            // The tree is on the right.
             StageSet::Garden => -0.36,
             StageSet::Curtain | StageSet::Studio => 0.0,
         }
@@ -203,7 +203,7 @@ impl Set {
             backdrop_low: low,
             backdrop_high: high,
             glow,
-            // What shines lights the air, too.
+            // Light sources also light the air.
             fog: std::array::from_fn(|i| 0.5 * (low[i] + high[i]) + 0.12 * glow[i]),
             fog_density: THICKEST_FOG * mist.clamp(0.0, 1.0),
             ..self

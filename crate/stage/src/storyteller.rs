@@ -1,8 +1,8 @@
-//! The storyteller's shot: head to chest with the eyes on the upper third of the picture, wider
-//! only while a gesture needs it; on a phone held upright to the waist.
+//! The storyteller's shot: head to chest with the eyes on the upper third of the frame, wider only
+//! while a gesture needs it; to the waist on a phone in portrait orientation.
 //!
-//! The camera stands where that of a medium shot does and zooms, so that whom the figure looks at
-//! does not depend on what its hands do.
+//! The camera has the position of a medium shot and zooms, so that the figure's gaze does not
+//! depend on its hands.
 
 use raconteur_base::curve::{lerp, minimum_jerk, smooth};
 use raconteur_base::ops;
@@ -194,9 +194,9 @@ impl Span {
     /// an image that shows `at_rest` while they rest.
     #[must_use]
     fn above_captions(self, share: f64, at_rest: f64) -> Self {
-        // A gesture that widens the picture comes down to its lower edge.
+        // A gesture that widens the frame extends down to its lower edge.
         let spare = (THROAT - at_rest) * (1.0 - smooth((at_rest - self.bottom) / PULLED));
-        // A nearer picture has as much less to spare.
+        // A closer frame has correspondingly less spare space.
         let lowest = self.bottom + spare * (self.height() / AT_REST).min(1.0);
         Self {
             bottom: self
@@ -235,7 +235,7 @@ impl Span {
         });
         let wide = 2.0 * space.half_width_m / (stature_m * aspect);
         let more = (wide - held.height()).max(0.0);
-        // What a tall picture shows beyond the gesture it shows below, down to the feet.
+        // A tall image shows the additional area below the gesture, down to the feet.
         let below = ((1.0 - ABOVE) * more).min(held.bottom.max(0.0));
         Self {
             bottom: held.bottom - below,
@@ -259,7 +259,7 @@ impl Span {
         if space.bottom_m < (self.bottom + NEAR_EDGE) * stature_m {
             needed.bottom = needed.bottom.min(self.bottom - PULLED);
         }
-        // What reaches lower than hands are followed is a body, or is held.
+        // A lower extent than the followed hands belongs to the body or to a held pose.
         let is_body = space.bottom_m < MIN_HEIGHT * stature_m - 0.5 * HELD_M;
         let more = needed.height() - self.height();
         if is_body || more <= 0.0 {
@@ -332,7 +332,7 @@ mod tests {
             let least = if aspect < BROAD { 0.23 } else { 0.27 };
             assert!(0.5 * (y(1.0) - y(0.868)) > least, "{aspect}");
         }
-        // On a phone the waist is seen, on a desktop it is not (ANSUR: 0.61 to 0.62).
+        // The waist is visible on a phone, not on a desktop (ANSUR: 0.61 to 0.62).
         assert!(
             Span::at_rest(0.46).bottom < 0.6 && Span::at_rest(1.78).bottom > 0.61,
             "the bottom of the frame follows the stature"
@@ -373,7 +373,7 @@ mod tests {
             let share = |y: f64| (y - span.bottom) / span.height();
             assert!(share(THROAT) >= captions - 1e-9, "{captions}");
             assert!(share(1.0) - share(0.868) > 0.25, "{captions}");
-            // Hands of a gesture, wherever they are.
+            // Hands of a gesture at any height.
             for bottom in [0.40, 0.56, 0.60, 0.65, 0.70] {
                 let space = TakenSpace {
                     top_m: 0.9 * STATURE_M,

@@ -1,4 +1,4 @@
-//! What of a figure is drawn, for those who look at its making (GEVH D.3.4).
+//! Visible parts of a figure, for inspection (GEVH D.3.4).
 
 /// Fill mode of a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

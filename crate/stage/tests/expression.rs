@@ -1,4 +1,4 @@
-//! Every emotion in every band of its strength, against a table that was written from GEVH 3.5.4
+//! Every emotion in every band of its strength, compared with a table written from GEVH 3.5.4
 //! before the code: `tests/suite/environment/expression.tsv`.
 
 use raconteur_stage::Shot;

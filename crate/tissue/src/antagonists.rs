@@ -1,4 +1,4 @@
-//! Reads the table of antagonists, `antagonists.tsv` (F&H table 4.6), where this crate is built.
+//! Reader of the table of antagonists, `antagonists.tsv` (F&H table 4.6), at build time.
 
 use crate::table::{Row, lines};
 

@@ -1,4 +1,4 @@
-//! How the vertices of a mesh follow the nodes of the tissue.
+//! Binding of a mesh's vertices to the nodes of the tissue.
 
 use raconteur_base::NodeState;
 

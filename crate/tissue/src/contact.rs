@@ -1,4 +1,4 @@
-//! What skin does not pass through: the other lip, the teeth, the bone.
+//! Contacts of the skin: the other lip, the teeth, the bone.
 
 use super::lanes::{Vector, dot, vector, xyz};
 use super::springs::Springs;
@@ -81,7 +81,7 @@ impl Arch {
             at(row + 1, column),
             at(row + 1, column + 1),
         ];
-        // Beyond the edge of the teeth there is nothing to keep out of.
+        // Beyond the edge of the teeth there is no obstacle.
         if corners.contains(&0.0) {
             return None;
         }
@@ -160,7 +160,7 @@ impl Contacts {
         }
         depths.teeth_m = Self::free_teeth(tissue, springs, jaw);
         depths.lips_m = Self::part_lips(tissue, springs);
-        // A lip that was put off the other may have come behind the edge of the teeth.
+        // A lip moved off the other may be behind the edge of the teeth.
         if depths.lips_m > 0.0 {
             Self::free_teeth(tissue, springs, jaw);
         }

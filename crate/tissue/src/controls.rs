@@ -1,4 +1,4 @@
-//! The controls of a face at one moment.
+//! Controls of a face at one time.
 
 use raconteur_base::curve::lerp;
 

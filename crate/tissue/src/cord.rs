@@ -1,5 +1,5 @@
-//! A fibre of the ring of the mouth is a cord: where a muscle pulls at it, the stretches beside follow
-//! in a curve, and the middle of a lip between two levators rises with both sides.
+//! Cord model of the mouth ring's fibres: where a muscle pulls, the adjacent segments follow in a
+//! curve, and the middle of a lip between two levators rises with both sides.
 
 /// Spread of a pull along the fibre, in points; at half this distance it has fallen to 60 %. About
 /// 8 mm of a mouth of 50 mm. Designed: enough for two levators to raise a lip in one arch.
@@ -17,7 +17,7 @@ pub(super) fn spread(asked: &[[f32; 3]], moved: &mut [[f32; 3]], work: &mut Vec<
         return;
     }
     let stiff = SPREAD_POINTS * SPREAD_POINTS;
-    // Of each row what is left of it and its factor on the next.
+    // The remainder of each row and its factor for the next.
     work.clear();
     work.push((off(0, moved), 0.0));
     for k in 1..last {

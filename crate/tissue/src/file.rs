@@ -1,5 +1,5 @@
-//! The tissue in a figure's file: one block of little-endian numbers, version first. Lengths
-//! and indices are checked when it is read, so that the network need not check them.
+//! Tissue in a figure's file: one block of little-endian numbers, version first. Lengths and
+//! indices are checked on reading, so that the network need not check them.
 
 use super::tissue::{
     Arch, Attachment, Column, Fibre, FibreCurve, FibrePoint, Link, LipNode, Tissue,
@@ -50,7 +50,7 @@ impl Reader<'_> {
 
     fn f32(&mut self) -> Result<f32, TissueError> {
         let x = f32::from_le_bytes(self.bytes()?);
-        // No place of a face is farther than this from the origin.
+        // No point of a face is farther than this from the origin.
         if x.abs() < 100.0 {
             Ok(x)
         } else {

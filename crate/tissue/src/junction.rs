@@ -1,6 +1,6 @@
-//! Where muscles are grown together (F&H section 3.1.2, "Properties" and "Muscle
-//! Deformation"): linked points meet at a centre in which those of more contracted muscles
-//! weigh more, and keep their distances from it.
+//! Junctions of fused muscles (F&H section 3.1.2, "Properties" and "Muscle Deformation"): linked
+//! points meet at a centre in which those of more contracted muscles have more weight, and keep
+//! their distances from it.
 
 use core::ops::Range;
 
@@ -78,7 +78,7 @@ pub(super) struct Junctions {
 
 impl Junctions {
     pub(super) fn new(tissue: &Tissue) -> Self {
-        // Whose each end is; points that end no fibre belong to none.
+        // The muscle of each end; points that end no fibre belong to none.
         let owner = |end: usize| -> Option<Muscle> {
             let is_last = |f: &&Fibre| usize::from(f.first) + usize::from(f.count) == end + 1;
             tissue.fibres.iter().find(is_last).map(|f| f.muscle)
@@ -88,7 +88,7 @@ impl Junctions {
             .iter()
             .map(|l| (usize::from(l.ring), usize::from(l.end), l.weight))
             .collect();
-        // By places, so that nothing depends on the order in which links are listed.
+        // Sorted by point, so that nothing depends on the order of links.
         links.sort_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)).then(a.2.total_cmp(&b.2)));
         let mut meetings: Vec<JunctionPoint> = Vec::new();
         for (i, &(ring, ..)) in links.iter().enumerate() {
@@ -161,8 +161,8 @@ impl Junctions {
             let asked = moved[meeting.ring];
             let mut pulls = pull(tension[meeting.ring]);
             let mut centre = asked.map(|x| x * pulls);
-            // How much of the centre's movement the ring takes: as its links say, those of
-            // muscles that pull more counting more.
+            // The ring's share of the centre's movement: according to its links, where stronger
+            // muscles have more weight.
             let (mut held, mut joined) = (0.0, 0.0);
             for join in &self.joins[meeting.joins.clone()] {
                 let by = join.weight * pull(tension[join.end]);

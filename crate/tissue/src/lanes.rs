@@ -1,5 +1,5 @@
-//! Vectors of four numbers that a processor computes at once. Only operations lane by lane are
-//! used, and sums over lanes are added in order, so the bits are the same on every machine.
+//! Four-lane vectors that a processor computes simultaneously. Only lane-wise operations are used,
+//! and sums over lanes are added in order, so the bits are the same on every machine.
 
 /// Displacement or position, metres, with a fourth number that is 0 unless stated otherwise.
 pub(super) type Vector = wide::f32x4;

@@ -1,5 +1,5 @@
-//! The springs of a face's skin, made from its geometry once: those of the skin, those that hold
-//! the nodes, and which nodes are one mass. Stiffnesses are per mass, 1/s².
+//! Springs of a face's skin, derived from its geometry once: those of the skin, those that hold the
+//! nodes, and the nodes that form one mass. Stiffnesses are per mass, 1/s².
 
 use super::lanes::{LANES, Vector, four, length, xyz};
 
@@ -218,8 +218,8 @@ pub(super) fn around_nodes<E: Iterator<Item = [u16; 2]>>(
 /// rest length and stiffness, and the friction per step.
 fn hold_vector(depth: f32, grip: f32) -> Vector {
     let depth = depth.clamp(0.001, 0.05);
-    // A node with little grip lies in a fold, and follows its neighbours.
-    // Lips are held by muscle on all sides.
+    // A node with little grip lies in a fold, and follows its neighbours. Muscle holds the lips on
+    // all sides.
     let lip = 1.0 + LIP * ((grip - 0.75) / 0.1).clamp(0.0, 1.0);
     let firm = (grip / FIRM_GRIP).clamp(0.1, 1.0) * lip;
     let (stiffness, grip) = (CONNECTING_PER_S2 * firm, grip.clamp(0.05, 1.0));

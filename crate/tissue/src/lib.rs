@@ -1,12 +1,12 @@
-//! The face as a machine: what moves it, and how its meshes follow (F&H sections 3.1.1 and
+//! Mechanics of the face: its actuation, and the motion of its meshes (F&H sections 3.1.1 and
 //! 3.1.2).
 //!
-//! Does: the controls of a face, its muscles, the mass-spring network of its skin with what it
-//! may not pass through, and the file of all that.
-//! Does not: fit it to a head (`body`) or decide what the face does (`actor`).
+//! Scope: the controls of a face, its muscles, the mass-spring network of its skin with its
+//! obstacles, and the file of all that.
+//! Out of scope: fitting to a head (`body`) and the behaviour of the face (`actor`).
 //!
-//! A crate of its own, which everyone meets as `body::face`, because it alone is compiled for
-//! speed where the rest is compiled for size, and where the rest is compiled to be tried.
+//! This is a separate crate, used as `body::face`, because it alone is compiled for speed when the
+//! rest is compiled for size, and also in debug builds.
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 

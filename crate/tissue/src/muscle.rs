@@ -1,10 +1,10 @@
-//! The mimic muscles (F&H section 3.1.1, table 3.1 and figure 3.3), as `muscles.tsv` lists them.
+//! The mimic muscles (F&H section 3.1.1, table 3.1 and figure 3.3), as listed in `muscles.tsv`.
 //!
-//! A muscle is a row of that table, and rows of `fibres.tsv` of the figures' generator, which tell
-//! where it lies on the reference head. Names in stories, sliders of pages, mechanics, wrinkles,
-//! the shares of ARKit's targets, what closures of the lips take off and what it does to the jaw
-//! follow from the row; `antagonists.tsv` tells what pulls against what. Rows are added at the end:
-//! places of muscles are kept in figures' files and counted by pages.
+//! A muscle is a row of that table, plus rows of `fibres.tsv` of the figure generator, which
+//! specify its position on the reference head. The row determines names in stories, sliders of
+//! pages, mechanics, wrinkles, the shares of ARKit's targets, the reduction by lip closures and the
+//! effect on the jaw; `antagonists.tsv` lists the opposing muscles. New rows are added at the end,
+//! because figure files store indices of muscles and pages count them.
 
 use core::fmt;
 use std::borrow::Cow;

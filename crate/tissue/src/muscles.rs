@@ -1,4 +1,4 @@
-//! Muscles at work: where the points of their fibres go (F&H section 3.1.2, "Muscle
+//! Muscle deformation: the motion of the points of muscle fibres (F&H section 3.1.2, "Muscle
 //! Deformation").
 
 use core::ops::Range;
@@ -282,7 +282,7 @@ impl Muscles {
             return;
         }
         for (point, moved) in points.iter().zip(moved) {
-            // At the corners the halves of the ring are one, and look away from each other.
+            // At the corners, the halves of the ring meet and face away from each other.
             let aside = ((point.rest[0] - self.mouth[0]) / self.half_width).clamp(-1.0, 1.0);
             add(moved, point.outwards, -thinner * (1.0 - aside * aside));
         }
@@ -363,7 +363,7 @@ fn stretched(
     let now = length_of(points, |k| places[k]);
     let rest = length_of(points, |k| points[k].rest);
     let scale = now / rest.max(1e-6);
-    // Along what it is now, at the same shares of the length as at rest.
+    // Along the current fibre, at the same shares of the length as at rest.
     let (mut wanted, mut before, mut passed) = (0.0, 0, 0.0);
     for k in 1..last {
         wanted += distance(points[k - 1].rest, points[k].rest) * scale;

@@ -1,4 +1,4 @@
-//! A face in motion: controls move muscles and jaw, these the network, and that the skin.
+//! Face in motion: controls move muscles and jaw, these move the network, and that moves the skin.
 
 use super::contact::{Contacts, JawPlace, PenetrationDepths};
 use super::lanes::{LANES, Vector, squares, vector, whole_fours, xyz};
@@ -243,7 +243,7 @@ impl Network {
             let lip = xyz(self.holds[usize::from(column.contact[1])].place);
             *gap = [0, 1, 2].map(|k| (column.edge[k] - lip[k]) * column.bites * bite);
         }
-        // The lower lip alone goes to the teeth, all of its red as far.
+        // Only the lower lip moves to the teeth, all of its red by the same distance.
         self.move_lips(tissue, |lip| lip.closes.max(0.0) / LOWER_CLOSES);
         if seal > 0.0 && bite > 0.0 {
             // Between m and f the lower lip is at the teeth already, and the upper one on it.
@@ -305,7 +305,7 @@ impl Network {
     /// the network.
     #[must_use]
     pub fn left(&self, tissue: &Tissue) -> PenetrationDepths {
-        // Each kind on a copy of its own: putting one right moves the others.
+        // Each kind uses its own copy, because a correction moves the others.
         let lips_m = Contacts::part_lips(tissue, &mut self.springs.clone());
         let mut springs = self.springs.clone();
         PenetrationDepths {

@@ -1,10 +1,10 @@
-//! What skin shows of the net under it: where fibres pull across the net, its nodes buckle at its
-//! own scale, and skin that is thicker than that does not follow.
+//! Smoothing of the skin over its mesh: where fibres pull across the mesh, its nodes buckle at its
+//! own scale, and real skin, which is thicker than that, does not follow.
 //!
-//! The displacement of a node goes part of the way to the mean of its neighbours', several times
-//! (Taubin 1995, doi:10.1145/218380.218473, without his second step: what shrinks is the displacement,
-//! not the face). How far depends on the region: not at all on lips, lids and nose, which are held by
-//! muscle on all sides, nor between the brows, where skin folds.
+//! The displacement of a node moves partly to the mean of its neighbours', several times (Taubin
+//! 1995, doi:10.1145/218380.218473, without his second step: the displacement shrinks, not the
+//! face). The amount depends on the region: zero on lips, lids and nose, which muscle holds on all
+//! sides, and between the brows, where skin folds.
 
 use super::Muscle;
 use super::lanes::{Vector, vector};

@@ -1,9 +1,9 @@
-//! The mass-spring network of the skin (F&H section 3.1.2, "Mass Spring Network"), in its
-//! own small world: point masses of 1, seconds, metres.
+//! Mass-spring network of the skin (F&H section 3.1.2, "Mass Spring Network"), in its own units:
+//! point masses of 1, seconds, metres.
 //!
-//! Stiffnesses are per mass, 1/s². A step is a 120th of a second; leapfrog Verlet integration
-//! is stable while the stiffest mode stays under (2 / step)² = 57,600, which
-//! [their stiffnesses](super::layout) keep with a margin.
+//! Stiffnesses are per mass, 1/s². A step is a 120th of a second; leapfrog Verlet integration is
+//! stable while the stiffest mode stays under (2 / step)² = 57,600, which [their
+//! stiffnesses](super::layout) satisfy with a margin.
 
 use super::lanes::{LANES, Vector, dot, length, squares, vector, whole_fours, xyz};
 use super::layout::{
@@ -284,9 +284,9 @@ impl Springs {
                 break;
             }
             was_any = true;
-            // With them those that are nearly as long, and each by how much it asks for: what a
-            // node does must not jump where a spring hardly is or hardly is not too long, or
-            // the last digits would make halves of a face differ.
+            // Nearly overlong springs are included, each by the amount of its demand: a node must
+            // not jump at the threshold of a spring's length, because the last digits would make
+            // the halves of a face differ.
             for k in 0..self.looked_at.count {
                 let i = self.looked_at.items[k] as usize;
                 if let Some((ends, by)) = self.too_long(i, SHORTENED) {
@@ -298,7 +298,8 @@ impl Springs {
                     }
                 }
             }
-            // All at once, or the order of springs would make halves of a face differ.
+            // All springs apply simultaneously, because their order would make the halves of a face
+            // differ.
             for k in 0..self.pulled.count {
                 let node = self.pulled.items[k] as usize;
                 let [x, y, z, much] = core::mem::take(&mut self.forces[node]).to_array();

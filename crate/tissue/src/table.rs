@@ -1,6 +1,6 @@
-//! Reads the table of muscles, `muscles.tsv`. Done where this crate is built (`build.rs`), so
-//! that names are checked by the compiler and nothing is read at run time; by the maker of
-//! figures, also later.
+//! Reader of the table of muscles, `muscles.tsv`. It runs when this crate is built (`build.rs`), so
+//! that the compiler checks names and nothing is read at run time; the figure generator also uses
+//! it later.
 
 /// A row of the table: a muscle in the middle of the face, or a pair.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
-//! What a face is made of under its skin: nodes of the skin, the muscles below them, and what
-//! they may not pass through. Made once for each figure by the generator, from its geometry
-//! (F&H section 3.1.2), and kept in its file.
+//! Tissue of a face: nodes of the skin, the muscles below them, and their obstacles. The generator
+//! makes it once for each figure, from its geometry (F&H section 3.1.2), and stores it in the
+//! figure's file.
 
 use super::Muscle;
 

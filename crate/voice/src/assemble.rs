@@ -1,5 +1,5 @@
-//! Puts the sentences of an utterance together: one sound with silences and recordings where
-//! they belong, and the times of all that is in it.
+//! Assembly of an utterance's sentences: one audio track with its silences and recordings, and the
+//! times of its content.
 
 use raconteur_base::ops;
 
@@ -138,7 +138,7 @@ impl<'a> Assembly<'a> {
         let pace = if authors { 1.0 } else { sentence.pauses };
         self.gap_secs = planned.pause_secs * pace;
         describe(&mut self.utterance, sentence, planned, &phone_of);
-        if !planned.goes_on {
+        if !planned.continues {
             let next_word = planned.sentence.tokens.last().map_or(0, |t| t.word + 1);
             self.utterance.sentences.push(Sentence {
                 first_word: self.first_word,
@@ -251,7 +251,7 @@ fn describe(
             .phrases
             .last()
             .map_or(0, |p| p.first_word + p.words);
-        // A word that is spoken as several tokens is in the phrase of its last one.
+        // A word spoken as several tokens belongs to the phrase of its last one.
         let word = tokens[last].word;
         if tokens.get(last + 1).is_some_and(|t| t.word == word) || word < first_word {
             continue;
@@ -356,7 +356,7 @@ impl AudioBuilder<'_> {
             }
             start = mark.end;
         }
-        // One pole both ways: soft before a word begins, loud after it has ended.
+        // A one-pole filter in both directions: soft before a word begins, loud after it has ended.
         let keep = ops::exp(-3.0 / (DUCK_SECS * self.rate_hz));
         let smooth = |level: &mut dyn Iterator<Item = &mut f64>| {
             let mut now = None;
@@ -386,7 +386,7 @@ impl AudioBuilder<'_> {
 
     /// Mixes, and turns marks into times.
     fn finish(mut self, plan: &Plan, mut utterance: Utterance, felt: &[EmotionSpan]) -> Speech {
-        // Whole milliseconds, so that the duration in the bundle is that of the file.
+        // Whole milliseconds, so that the bundle's duration equals the file's.
         let milli = self.rate_hz / 1000.0;
         let length_msec = (self.samples.len() as f64 / milli).ceil();
         let length = (length_msec * milli).round() as usize;
@@ -449,7 +449,7 @@ fn words(utterance: &mut Utterance, plan: &Plan) {
         }
     }
     for (text, span) in plan.words.iter().zip(spans) {
-        // A word without a sound, say of signs that the engine skips, takes no time.
+        // A word without audio, for example signs that the engine skips, takes no time.
         let silent_secs = utterance.words.last().map_or(0.0, |w| w.end_secs);
         let (start_secs, end_secs) = span.unwrap_or((silent_secs, silent_secs));
         if !utterance.text.is_empty() {

@@ -1,10 +1,10 @@
-//! Borders of phones, moved to where the sound changes.
+//! Phone boundaries, moved to changes in the audio.
 //!
-//! An engine that works in frames knows the order of its phones and about when each begins. Here
-//! each border moves within a reach so that vowels and sonorants lie where the sound is voiced,
-//! friction where it hisses, plosives where it is closed and bursts, and pauses where it is still,
-//! all of a sentence together by the shortest path. Costs are *designed*, in logarithms of
-//! odds; what they achieve is measured by [`crate::hear`].
+//! An engine that works in frames knows the order of its phones and the approximate start of each.
+//! This module moves each boundary within a limited range, so that vowels and sonorants cover
+//! voiced audio, friction noise, plosives their closure and burst, and pauses silence, for the
+//! whole sentence together by the shortest path. Costs are *designed*, in logarithms of odds;
+//! [`crate::hear`] measures their effect.
 
 use crate::manner::{Manner, manner};
 use crate::signal::bursts;
@@ -207,7 +207,7 @@ fn cost(manner: Manner, kind: Kind, frame: &Frame) -> f64 {
                 + 0.6 * over(-hiss_db, 8.0, 12.0)
                 + 0.8 * over(-level_db, 42.0, 12.0)
         }
-        // The release is short, whatever it sounds like.
+        // The release is short, regardless of its audio.
         Manner::Plosive => 0.8 * over(level_db, -22.0, 14.0) + 0.2 * (1.0 - unvoiced),
         Manner::Silence => 1.2 * over(level_db, -42.0, 14.0) + 0.3 * (1.0 - unvoiced),
     }

@@ -1,5 +1,5 @@
-//! What markup did to a voice: the same words spoken plainly and otherwise, compared phone by
-//! phone in the final sound.
+//! Effects of markup on a voice: the same words spoken plainly and with markup, compared phone by
+//! phone in the final audio.
 
 use core::f64::consts::{LN_2, LN_10};
 
@@ -110,7 +110,7 @@ pub fn compare(
             points_of(&plain.utterance, a, b, &tracks, &mut points);
         }
         if kind == Manner::Vowel {
-            // By length, so that a stretched vowel counts as it did.
+            // Weighted by duration, so that a stretched vowel keeps its weight.
             db += secs * (level(changed, b) - level(plain, a));
             weight += secs;
         }

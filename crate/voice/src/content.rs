@@ -1,5 +1,5 @@
-//! Content to be spoken, independent of the language that it was marked up in. SABLE, SSML and
-//! EML all become this; [`crate::style`] tells what it means.
+//! Content to be spoken, independent of its markup language. SABLE, SSML and EML are all converted
+//! to this; [`crate::style`] defines its meaning.
 
 use crate::text::SayAs;
 

@@ -1,12 +1,12 @@
-//! How a storyteller delivers what a plan says: how long each pause is, how fast each sentence, and
-//! how what somebody says in the story differs from the rest.
+//! Delivery of a plan by a storyteller: the length of each pause, the rate of each sentence, and
+//! the style of direct speech.
 //!
 //! Pauses are drawn from log-normal distributions (Campione and Véronis 2002, six thousand pauses
-//! of five languages): speakers' pauses have a spread, not one length. The draws hang on the
-//! words alone, so the same text is always delivered alike. Faster and with shorter pauses where the
-//! story is tense: so tales are told near a climax and in dialogue. Direct speech has a pitch, a
-//! range and a pace of its own (Doukhan et al. 2011; Klewitz and Couper-Kuhlen 1999). Medians and
-//! factors are *designed* between these.
+//! of five languages), because speakers' pauses vary in length. The draws depend on the words
+//! alone, so the same text always has the same delivery. Tense parts are faster and have shorter
+//! pauses, as in tales near a climax and in dialogue. Direct speech has its own pitch, range and
+//! rate (Doukhan et al. 2011; Klewitz and Couper-Kuhlen 1999). Medians and factors are *designed*
+//! between these.
 
 use std::collections::BTreeMap;
 
@@ -125,7 +125,7 @@ fn rests(planned: &mut Planned, factor: f64, turns: bool) {
         })
         .collect();
     let authors = planned.pauses.last().copied().flatten().is_some();
-    if !authors && !planned.goes_on {
+    if !authors && !planned.continues {
         let (usual, power, least, most) = LENGTH;
         let long = ops::exp(power * ops::ln(tokens.len().max(1) as f64 / usual));
         let turn = if turns { TURN } else { 1.0 };

@@ -1,4 +1,4 @@
-//! Which words of an utterance are spoken in which emotion, and how many pauses that leaves.
+//! Emotion of each word of an utterance, and the resulting number of pauses.
 
 use crate::plan::{Plan, Planned};
 use crate::prosody::Prosody;
@@ -203,7 +203,7 @@ impl PauseCount {
         if (self.factor - 1.0).abs() < 1e-9 {
             return None;
         }
-        // Where the author pauses often enough, as in verse, a voice makes none besides.
+        // Where the author pauses often enough, as in verse, a voice adds no pauses.
         let usual = ((self.own.len() + self.asked) as f64).max(self.words / WORDS_A_PAUSE);
         Some(((usual * self.factor).round() as usize).saturating_sub(self.asked))
     }

@@ -1,9 +1,9 @@
-//! Pronunciations that authors give in the International Phonetic Alphabet, in each engine's
-//! own phones, and phones that aligners name in it.
+//! Pronunciations in the International Phonetic Alphabet, from authors in each engine's own phones,
+//! and from aligners' phone names.
 //!
-//! The names are facts of Festival's `radio_phones.scm` and `mrpa_phones.scm`, of SAMPA and
-//! of espeak-ng's mnemonics (its `docs/phonemes.md`). A phone that a set does not have
-//! becomes the nearest that it has; which is nearest is *designed*.
+//! The names are facts of Festival's `radio_phones.scm` and `mrpa_phones.scm`, of SAMPA and of
+//! espeak-ng's mnemonics (its `docs/phonemes.md`). A phone that a set lacks is replaced with its
+//! nearest one; the nearest phones are *designed*.
 
 use anyhow::{Result, bail, ensure};
 use raconteur_speech::phones::{self, Class};
@@ -252,7 +252,7 @@ enum IpaSymbol {
 /// When a character is no phone of the table, when there is no vowel, or when it is longer
 /// than 200 characters.
 pub(super) fn syllables(ipa: &str, set: Set) -> Result<Vec<Syllable>> {
-    // What stands between marks.
+    // The groups between marks.
     let mut groups: Vec<(u8, Vec<&Row>)> = vec![(0, Vec::new())];
     for piece in pieces(ipa)? {
         let stress = match piece {
@@ -266,7 +266,7 @@ pub(super) fn syllables(ipa: &str, set: Set) -> Result<Vec<Syllable>> {
             IpaSymbol::Dot => 0,
         };
         match groups.last_mut() {
-            // Consonants alone are no syllable: they wait for their vowel.
+            // Consonants alone form no syllable; they join the next vowel.
             Some(last) if !last.1.iter().any(|r| r.sonority == Vowel) => {
                 last.0 = last.0.max(stress);
             }

@@ -1,9 +1,9 @@
-//! Speech made ahead of time: from what a story says to a bundle of sound, words, phones and
-//! melody that a player reads.
+//! Precomputed speech: from the speech content of a story to a bundle of audio, words, phones and
+//! pitch contour for the player.
 //!
-//! Does: text as it is spoken, markup (SABLE, SSML), prosody of styles and emotions, signal
-//! processing, alignments of other programs, speech engines, and [`bake`], which runs them.
-//! Does not: play anything; nothing that plays depends on this crate.
+//! Scope: spoken text, markup (SABLE, SSML), prosody of styles and emotions, signal processing,
+//! alignments of other programs, speech engines, and [`bake`], which runs them.
+//! Out of scope: playback; no runtime crate depends on this crate.
 
 pub mod align;
 pub mod assemble;

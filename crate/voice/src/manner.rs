@@ -1,4 +1,4 @@
-//! How phones are made, as far as their lengths and their sound are concerned.
+//! Manner of articulation of phones, as far as it affects their durations and audio.
 
 use raconteur_speech::bundle::SILENCE;
 use raconteur_speech::phones::{Class, find};
@@ -29,7 +29,7 @@ pub fn manner(phone_set: &str, symbol: &str) -> Manner {
         return Manner::Fricative;
     };
     match (targets.class, targets.viseme) {
-        // Breath takes the mouth of what follows it.
+        // Breath has the mouth shape of the following phone.
         (Class::Consonant, _) if symbol.starts_with(['h', 'H']) => Manner::Fricative,
         (Class::Vowel | Class::Diphthong, _) => Manner::Vowel,
         (Class::Silence, _) => Manner::Silence,

@@ -1,5 +1,5 @@
-//! The sound of an utterance, against its bundle: pauses are still, plosives burst where
-//! their phones are, vowels are voiced.
+//! Comparison of an utterance's audio with its bundle: pauses are silent, plosives burst at their
+//! phones, vowels are voiced.
 
 use crate::manner::{Manner, manner};
 use crate::signal::{bursts, f0, intensity};
@@ -19,20 +19,20 @@ const STEP_SECS: f64 = 0.005;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Proportion {
     /// Number of cases in which it holds.
-    pub holds: usize,
+    pub count: usize,
     /// Number of cases.
     pub of: usize,
 }
 
 impl Proportion {
     fn count(&mut self, holds: bool) {
-        self.holds += usize::from(holds);
+        self.count += usize::from(holds);
         self.of += 1;
     }
 
     /// Both together.
     pub fn add(&mut self, other: Self) {
-        self.holds += other.holds;
+        self.count += other.count;
         self.of += other.of;
     }
 
@@ -42,7 +42,7 @@ impl Proportion {
         if self.of == 0 {
             100.0
         } else {
-            100.0 * self.holds as f64 / self.of as f64
+            100.0 * self.count as f64 / self.of as f64
         }
     }
 }
@@ -217,8 +217,8 @@ mod tests {
             let (utterance, samples) = spoken(secs, 150.0);
             measure_speech(&utterance, "radio", &samples, RATE_HZ).bursts
         };
-        assert_eq!(heard(0.08), Proportion { holds: 1, of: 1 });
-        assert_eq!(heard(0.135), Proportion { holds: 0, of: 1 });
+        assert_eq!(heard(0.08), Proportion { count: 1, of: 1 });
+        assert_eq!(heard(0.135), Proportion { count: 0, of: 1 });
         assert_eq!(heard(9.0).of, 0);
     }
 
@@ -233,7 +233,7 @@ mod tests {
         );
         let (_, silent) = spoken(0.08, 0.0);
         let heard = measure_speech(&utterance, "radio", &silent, RATE_HZ);
-        assert_eq!(heard.vowels.holds, 0);
+        assert_eq!(heard.vowels.count, 0);
         assert_eq!(Proportion::default().percent(), 100.0);
     }
 }

@@ -1,5 +1,5 @@
-//! From content to sentences: what an engine speaks in one request, by
-//! whom and in which language, and the silences between.
+//! Conversion of content to sentences: the text of one engine request with its speaker and
+//! language, and the silences in between.
 
 mod settle;
 
@@ -81,7 +81,7 @@ pub struct Planned {
     /// A paragraph ends with it.
     pub ends_paragraph: bool,
     /// True if the same sentence continues with the next: only the voice changes.
-    pub goes_on: bool,
+    pub continues: bool,
 }
 
 /// Recording requested by an utterance.
@@ -142,7 +142,7 @@ pub fn plan(
         planner.item(item);
     }
     planner.separate();
-    // Signs after the last pause are shown with what was before it.
+    // Signs after the last pause are shown with the preceding word.
     if let Some(word) = planner.plan.words.last_mut() {
         let left = core::mem::take(&mut planner.signs);
         left.iter().for_each(|sign| signs::attach(word, sign));
@@ -196,7 +196,7 @@ impl Planner<'_> {
                 behind,
             } => {
                 self.settle_signs(Some((text, *style, *together)));
-                // What is spelled has its own signs in it, and no others.
+                // Spelled text contains its own signs, and no others.
                 let is_spelled = self.plan.styles[*style].say_as == Some(SayAs::Literal);
                 let behind = if is_spelled { *behind } else { 0 };
                 let (read, after) = text.split_at(text.len() - behind);
@@ -299,7 +299,7 @@ impl Planner<'_> {
             {
                 last.pause_secs = last.pause_secs.max(pause_secs);
                 last.ends_paragraph |= ends_paragraph;
-                last.goes_on = false;
+                last.continues = false;
             }
             return;
         }
@@ -346,7 +346,7 @@ impl Planner<'_> {
                 if words.len() == written.len() {
                     spoken
                 } else {
-                    // All of it is the first word's, so that captions light up in time.
+                    // The first word owns all of it, so that captions light up in time.
                     let mut all = vec![Vec::new(); written.len()];
                     all[0] = spoken.into_iter().flatten().collect();
                     all
@@ -364,7 +364,7 @@ impl Planner<'_> {
                     tokens[0].push(one);
                 }
             }
-            // What stood after the words still stands there.
+            // Signs after the words stay there.
             let last = written.last().map_or("", |w| *w);
             let signs = &last[last.trim_end_matches([',', '.', ';', ':', '!', '?']).len()..];
             if let Some(token) = tokens.iter_mut().flatten().next_back()
@@ -433,7 +433,7 @@ impl Planner<'_> {
         if !self.open.sentence.tokens.is_empty() && !same {
             self.close(CHANGE_PAUSE_SECS);
             if let Some(last) = self.plan.sentences.last_mut() {
-                last.goes_on = true;
+                last.continues = true;
             }
         }
         if self.open.sentence.tokens.is_empty() {

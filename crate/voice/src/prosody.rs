@@ -1,4 +1,4 @@
-//! What each dimension of emotion does to prosody (F&H 4.4.2).
+//! Effect of each dimension of emotion on prosody (F&H 4.4.2).
 
 use raconteur_speech::emotion::EmotionPoint;
 

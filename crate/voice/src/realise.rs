@@ -1,5 +1,5 @@
-//! How a sentence is spoken: from styles and emotions to changes of the engine's plain sound.
-//! Every engine is changed in the same way, so that the same markup does the same to all.
+//! Realisation of a sentence: from styles and emotions to changes of the engine's plain audio. All
+//! engines are changed in the same way, so that the same markup has the same effect on all.
 
 use core::f64::consts::LN_2;
 
@@ -80,7 +80,7 @@ impl VoiceBaseline {
         }
         hz.sort_by(f64::total_cmp);
         let at = |share: f64| hz.get((hz.len() as f64 * share) as usize).copied();
-        // A whisper has no pitch; any value does, since none is changed.
+        // A whisper has no pitch; any value is valid, because none is changed.
         let (low, high) = (at(0.05).unwrap_or(100.0), at(0.95).unwrap_or(150.0));
         let logs: f64 = hz.iter().map(|hz| ops::ln(*hz)).sum();
         Self {
@@ -119,7 +119,7 @@ impl Delivery {
         let (longer, higher, louder) = emphasis(style.emphasis);
         let base = style.pitch_base.factor_on(own.base_hz);
         let middle = style.pitch_middle.factor_on(own.mean_hz);
-        // A base line alone takes the melody with it, as in Festival.
+        // A base line alone moves the pitch contour with it, as in Festival.
         let moved = if style.pitch_middle.is_default() {
             base
         } else {
@@ -302,7 +302,7 @@ fn grid(spoken: &Spoken, track: &PitchTrack, deliveries: &[Delivery], own: &Voic
                     let factor = how.duration * how.prosody.obstruent_duration;
                     plosive_factor(factor, here.end_secs - start, here.end_secs - secs)
                 }
-                // Pauses get their length when sentences are put together.
+                // The assembly of sentences sets the length of pauses.
                 Manner::Silence => 1.0,
             });
         grid.gain.push(how.gain);
@@ -445,7 +445,7 @@ fn accents(
         };
         for i in from..to {
             let along = (i - from) as f64 / (to - from).max(1) as f64;
-            // Nothing at the edges, all in the middle.
+            // Zero at the edges, full in the middle.
             let inside = 0.5 - 0.5 * ops::cos(2.0 * core::f64::consts::PI * along);
             grid.semitones[i] += inside
                 * (ACCENT_SEMITONES * (prosody.accent_prominence - 1.0)

@@ -1,4 +1,4 @@
-//! What a script says as bakers know it, free of EML.
+//! Script content for bakers, independent of EML.
 
 use crate::content::{Age, Boundary, Content, Division, Gender, Markup, Segment, Setting, Speaker};
 use crate::markup::levels::{self, Property};
@@ -118,7 +118,7 @@ fn segment_of(piece: &TextSegment) -> Option<Segment> {
         TextSegment::Marker { mark, .. } => Segment::Mark(mark.clone()),
         TextSegment::Start { markup, .. } => Segment::Open(markup_of(markup)),
         TextSegment::End => Segment::Close,
-        // A named moment sounds like nothing.
+        // A named time has no audio.
         TextSegment::Mark { .. } => return None,
     })
 }

@@ -1,5 +1,5 @@
-//! The words in order, each with its style: content with its markup taken together.
-//! Counts of the words of a content are counts of these.
+//! Words in order, each with its style: content with its combined markup. Word counts of a content
+//! are counts of these.
 
 use core::fmt::Write as _;
 use core::hash::Hasher as _;
@@ -214,7 +214,7 @@ impl Resolver<'_> {
             Markup::SayAs(_) => (outer.replaced, number),
             _ => (outer.replaced, outer.said_as),
         };
-        // Most markup changes something, and what does not costs only an entry.
+        // Most markup changes something; markup without effect costs only an entry.
         self.levels.push(Level {
             style,
             index: None,
@@ -251,7 +251,7 @@ impl Resolver<'_> {
         let styles = &mut self.out.styles;
         let index = *level.index.get_or_insert_with(|| {
             let mut print = FormatHasher(DefaultHasher::new());
-            // A hasher takes everything.
+            // Writing to a hasher cannot fail.
             let _ = write!(print, "{:?}", level.style);
             let hash = print.0.finish();
             match self.known.get(&hash) {
@@ -302,7 +302,7 @@ impl Resolver<'_> {
         }
         let [before, after] = emoticon::of_emoji(&text);
         let shown = emoticon::without_emoji(&text);
-        // Where emoji were taken out it is not known how much of the end is left.
+        // Without the emoji, the remaining length of the end is unknown.
         let behind = if shown.is_some() { 0 } else { behind };
         let bare = shown.unwrap_or(text);
         self.out

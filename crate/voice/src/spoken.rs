@@ -1,5 +1,4 @@
-//! Between the baker and its engines: a sentence that is to be spoken, and what an engine
-//! made of it.
+//! Interface between the baker and its engines: a sentence to be spoken, and the engine's result.
 
 use raconteur_speech::bundle::SentenceKind;
 

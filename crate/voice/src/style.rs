@@ -1,4 +1,4 @@
-//! What markup means: how each word is spoken, with everything around it taken together.
+//! Meaning of markup: the style of each word, with all its enclosing markup combined.
 
 use crate::content::{Markup, Setting, Speaker};
 use crate::text::SayAs;
@@ -158,7 +158,8 @@ impl Style {
             Markup::SayAs(kind) => inner.say_as = Some(*kind),
             Markup::Language(language) => inner.language = Some(language.clone()),
             Markup::Speaker(speaker) => {
-                // A named voice is who it is; without a name it is more of what was.
+                // A named voice is independent; without a name, the speaker modifies the current
+                // one.
                 if speaker.name.is_some() {
                     inner.speaker = speaker.clone();
                 } else {

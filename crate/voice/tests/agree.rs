@@ -1,5 +1,6 @@
-//! The same text has the same words, sentences and readings wherever it comes from: in EML, typed
-//! in a box or written between tags, and told in pieces; and all that is written is in captions.
+//! Agreement of text sources: the same text has the same words, sentences and readings in EML,
+//! typed in a box, written between tags, and streamed in pieces; and captions contain the whole
+//! text.
 
 use raconteur_eml::narration::{NarrationOptions, continue_narration, narrate, split_clauses};
 use raconteur_eml::{ClauseKind, VoiceText, parse};
@@ -99,7 +100,7 @@ fn in_box(text: &str, language: &str, is_phrased: bool) -> SpokenAndShown {
     let telling = NarrationOptions {
         language,
         is_phrased,
-        most: 100_000,
+        max_chars: 100_000,
     };
     let script = narrate(text, &telling).unwrap();
     heard_of([script.as_str()], language, false)

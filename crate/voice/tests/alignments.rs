@@ -1,8 +1,8 @@
-//! Alignments as other programs write them: each file of `tests/align/<format>` is read and
-//! summarised in a few lines that must be those of the `.told` beside it. A file that cannot be
-//! read tells its fault.
+//! Alignments as written by other programs: each file of `tests/align/<format>` is read and
+//! summarised in a few lines that must equal those of the `.told` file next to it. For an
+//! unreadable file, the summary is its fault.
 //!
-//! With `UPDATE=1` in the environment the `.told` files are written anew, to be looked at.
+//! With `UPDATE=1` in the environment, the `.told` files are written again, for review.
 
 mod support;
 

@@ -1,5 +1,5 @@
-//! Alignments that were cut, changed or made up: none panics, and what is read holds
-//! together. Starts from the files of `tests/align` and of the fuzz target.
+//! Truncated, modified or generated alignments: none panics, and each result is consistent. The
+//! test starts from the files of `tests/align` and of the fuzz target.
 
 mod support;
 

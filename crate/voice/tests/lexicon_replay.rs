@@ -1,4 +1,4 @@
-//! What the fuzz target of lexicons has kept, and made-up ones.
+//! Corpus of the lexicon fuzz target, and generated texts.
 
 mod holds;
 

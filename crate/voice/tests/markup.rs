@@ -1,8 +1,8 @@
-//! Documents of SABLE and SSML as they occur, each beside what it says: `tests/markup`.
+//! Sample documents of SABLE and SSML, each with its expected speech: `tests/markup`.
 //!
-//! A line of `NAME.expected` is a word with what its style has beyond the voice's own
-//! (`*` is a factor, a number before it a value), something between words, or `!` and a
-//! problem. `UPDATE=1` rewrites the files.
+//! A line of `NAME.expected` is a word with its style's differences from the voice's own (`*` is a
+//! factor, a number before it a value), something between words, or `!` and a problem. `UPDATE=1`
+//! rewrites the files.
 
 use std::fmt::Write as _;
 use std::fs;

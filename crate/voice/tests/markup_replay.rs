@@ -1,5 +1,5 @@
-//! What the fuzz target of marked-up text has kept, once more: every document is refused, or
-//! written in both languages and read again with the same words.
+//! Replay of the marked-up text fuzz target's corpus: every document is rejected, or written in
+//! both languages and read again with the same words.
 
 use std::fs;
 use std::path::Path;

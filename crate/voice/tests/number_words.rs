@@ -160,7 +160,7 @@ fn value(words: &str, numerals: &Numerals, run_together: bool) -> Option<u64> {
             rest = &rest[name.len()..];
         }
     }
-    // Portuguese hundreds stand on their own; those of the others multiply.
+    // Portuguese hundreds are separate words; those of the others multiply.
     let multiplies = |value: u64| value >= 1000 || value == 100 && numerals != PORTUGUESE;
     let (mut whole, mut group) = (0, 0);
     for value in values {

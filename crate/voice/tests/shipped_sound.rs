@@ -1,6 +1,6 @@
-//! The sounds of the shipped bundles, against their data: pauses are still,
-//! plosives burst where their phones are, vowels are voiced. The sound is that of the MP3
-//! files, decoded by a third-party library.
+//! Comparison of the shipped bundles' audio with their data: pauses are silent, plosives burst at
+//! their phones, vowels are voiced. The audio is that of the MP3 files, decoded by a third-party
+//! library.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
-//! Text as written against text as spoken: tables of cases, every year's number, and what
-//! must hold whatever is written.
+//! Written text compared with spoken text: tables of cases, every year's number, and invariants of
+//! any text.
 
 use raconteur_voice::text::{
     Lexicon, LexiconProblem, Order, SayAs, TOKEN_CHARS, Token, WORD_TOKENS, speakable,
@@ -234,7 +234,7 @@ fn check(written: &[&str], language: &str, say_as: Option<&SayAs>) {
 
 #[test]
 fn whatever_is_written_is_spoken_within_bounds() {
-    // Fragments that the readers look for, and any character at all.
+    // Fragments with a meaning for the readers, and any character.
     let fragments = [
         "1", "12", "1998", "007", "½", "²", "º", "ª", ".º", "st", ".", ",", "/", "-", "–", "—",
         "…", ":", "'", "’", "\"", "„", "(", ")", "$", "€", "R$", "%", "°C", "km", "km/h", "@", "#",

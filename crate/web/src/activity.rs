@@ -1,5 +1,5 @@
-//! The activity of an instance. A trap leaves no stack to unwind; the page reads here what the
-//! instance had begun and not finished.
+//! Activity of an instance. A trap leaves no stack to unwind; the page reads the unfinished
+//! activity of the instance here.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 

@@ -1,4 +1,4 @@
-//! The performer that a story chooses, before a figure is loaded.
+//! Performer selected by a story, before a figure is loaded.
 
 use raconteur_player::performer_of;
 use wasm_bindgen::prelude::*;

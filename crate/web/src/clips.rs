@@ -1,4 +1,4 @@
-//! Animations that a story plays, fetched by the page.
+//! Animations of a story, fetched by the page.
 
 use raconteur_player::Player as Performer;
 use wasm_bindgen::prelude::*;

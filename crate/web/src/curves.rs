@@ -1,4 +1,4 @@
-//! For the page of the face: controls and articulation over time.
+//! Curves for the face page: controls and articulation over time.
 
 use raconteur_player::Player as Performer;
 use raconteur_player::body::face::{FaceControls, MUSCLES};

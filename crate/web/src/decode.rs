@@ -1,4 +1,4 @@
-//! A script's bytes as text, before an engine is there to read it.
+//! Decoding of a script's bytes, before an engine is available to read it.
 
 use raconteur_player::eml::{LineIndex, decode};
 use serde::Serialize;

@@ -1,5 +1,4 @@
-//! For pages that edit: another text for the current performer, and what to draw over the
-//! picture.
+//! Functions for editing pages: another text for the current performer, and overlays on the frame.
 
 use raconteur_player::stage::{FramingMargin, Lighting, View};
 use wasm_bindgen::prelude::*;

@@ -1,4 +1,4 @@
-//! Another face for the figure on stage, with what its head wears.
+//! New face for the figure on stage, with its hair and accessories.
 
 use std::sync::Arc;
 
@@ -55,7 +55,8 @@ impl Player {
             None => Reshaper::new(performer.figure().as_ref().clone(), skin.len() / 3)?,
         };
         let made = reshaper.with_look(&face, &look, &self.donors);
-        // Kept whatever came of it: preparing takes longer than a face.
+        // The reshaper is stored regardless of the result, because its preparation takes longer
+        // than a face.
         self.reshaper = Some(reshaper);
         let figure = Arc::new(made?);
         self.hair = [look.hair, look.beard];

@@ -1,4 +1,4 @@
-//! Messages to JavaScript about a story's questions and the ways through it.
+//! Messages to JavaScript about a story's questions and branches.
 
 use raconteur_player::{
     AnswerCue, FeedbackCue, OptionCue, PictureCue, QuestionCue, WayCue, WayKind,
@@ -118,8 +118,8 @@ impl From<OptionCue> for Choice {
             partner: cue.partner,
             accepts: cue.accepts,
             rejects: cue.rejects,
-            least: cue.least,
-            most: cue.most,
+            least: cue.min,
+            most: cue.max,
             at: cue.at,
         }
     }

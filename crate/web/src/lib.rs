@@ -1,11 +1,11 @@
 //! Browser bindings of a storyteller: one opaque class, plain objects in and out.
 //!
-//! Does: read a story, show any moment of it on a canvas, deliver the cues passed on the way,
-//! and digest poses for comparison with the native program.
-//! Does not: fetch, play sound or keep time; `web/element` does. Nothing is called back
-//! into JavaScript, and an error is a value or an exception, never a trap.
+//! Scope: reading a story, rendering any time of it to a canvas, delivering the passed cues, and
+//! digesting poses for comparison with the native program.
+//! Out of scope: fetching, audio playback and timekeeping, which `web/element` provides. Nothing is
+//! called back into JavaScript, and an error is a value or an exception, never a trap.
 //!
-//! A page makes one wasm instance for each player, so a trap would end that player alone; the
+//! A page makes one wasm instance for each player, so a trap would end only that player; the
 //! instance still returns the message of its panic.
 
 #![deny(

@@ -1,4 +1,4 @@
-//! Measures of drawing, for benchmarks.
+//! Rendering measurements for benchmarks.
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

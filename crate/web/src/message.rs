@@ -1,4 +1,4 @@
-//! Messages to JavaScript: plain objects, named as the types of `web/element/base` are.
+//! Messages to JavaScript: plain objects, named like the types of `web/element/base`.
 
 use raconteur_player::eml::{self, LineIndex};
 use raconteur_player::stage::{Angle, EmotionType, Shot};

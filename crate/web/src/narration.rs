@@ -1,5 +1,4 @@
-//! Plain text as scripts, for pages: what stands between the tags, what somebody types, and words
-//! that come piece by piece.
+//! Plain text as scripts, for pages: the text between the tags, typed text, and streamed words.
 
 use raconteur_player::eml::narration::{self, NarrationOptions};
 use serde::Serialize;

@@ -1,5 +1,5 @@
-//! Where a palm looks, for the page that edits gestures: the normal and angle of EML as
-//! directions of the hand, and back (`actor::palm`; GEVH section 3.5.1).
+//! Palm direction for the gesture editing page: the normal and angle of EML as directions of the
+//! hand, and back (`actor::palm`; GEVH section 3.5.1).
 
 use raconteur_player::Units;
 use raconteur_player::actor::palm::{hand_rotation, zero_fingers};

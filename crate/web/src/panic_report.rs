@@ -1,4 +1,4 @@
-//! The message of a panic, for the page.
+//! Panic message for the page.
 
 use wasm_bindgen::prelude::*;
 

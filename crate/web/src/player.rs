@@ -1,4 +1,4 @@
-//! The class that JavaScript holds.
+//! Class for JavaScript.
 
 use std::sync::Arc;
 
@@ -432,7 +432,7 @@ impl Player {
             } else {
                 motion.clamp(0.0, 1.0)
             },
-            // Who asks for less motion asks for cuts.
+            // Reduced motion implies cuts.
             moving_camera: motion.is_nan() || motion >= LITTLE_MOTION,
             room,
             handedness: self.handedness,

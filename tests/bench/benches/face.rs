@@ -1,6 +1,5 @@
-//! A step of the soft face and the skin that follows it. Published beside it: about 40 steps
-//! a second (F&H section 3.1.2). Budget (one core of a two-core cloud machine): 0.2 ms a
-//! step.
+//! Step of the soft face and its skin. Published for comparison: about 40 steps per second (F&H
+//! section 3.1.2). Budget (one core of a two-core cloud machine): 0.2 ms per step.
 
 use std::hint::black_box;
 

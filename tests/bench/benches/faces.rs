@@ -1,5 +1,6 @@
-//! A face of the model, a change of one attribute, and a face put on a figure. Budgets: the face takes no
-//! more than 1.5 times a copy of the modes' bytes in the same run, an attribute 2 ms, the figure 100 ms.
+//! A face of the model, a change of one attribute, and a face applied to a figure. Budgets: the
+//! face takes no more than 1.5 times a copy of the modes' bytes in the same run, an attribute 2 ms,
+//! the figure 100 ms.
 
 use std::hint::black_box;
 

@@ -1,6 +1,6 @@
-//! One frame of the shipped folk tale without pixels, and the loading of its story.
-//! Budget (one core of a two-core cloud machine): 0.25 ms a frame without tissue, 0.1 ms with
-//! eight animation players, five manipulators and gestures.
+//! One frame of the shipped folk tale without pixels, and the loading of its story. Budget (one
+//! core of a two-core cloud machine): 0.25 ms per frame without tissue, 0.1 ms with eight animation
+//! players, five manipulators and gestures.
 
 #[path = "../../../crate/player/tests/common/mod.rs"]
 mod common;
@@ -31,7 +31,7 @@ fn frames(c: &mut Criterion) {
     c.bench_function("a fragment joins white-rabbit", |b| {
         let mut live = load();
         live.set_open_ended(true);
-        // A clause an hour: each is forgotten when the next one comes.
+        // One clause per hour: each is removed when the next one arrives.
         let mut hour = 0_u32;
         b.iter(|| {
             hour += 1;

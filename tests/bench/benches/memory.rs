@@ -1,5 +1,5 @@
-//! What a script costs in memory: bytes and allocations a clause, at the peak of reading
-//! and in the memory that stays in use.
+//! Memory costs of a script: bytes and allocations per clause, at the peak of reading and in the
+//! memory that stays in use.
 
 #[path = "../../../crate/eml/tests/script/mod.rs"]
 mod script;

@@ -1,13 +1,13 @@
-//! Parsing, checking and resolving a thousand to a million clauses, against a bare
-//! `quick-xml` event loop over the same bytes. The bound is a ratio of at most 8, and
-//! linear growth; both are printed first.
+//! Parsing, checking and resolving a thousand to a million clauses, compared with a bare
+//! `quick-xml` event loop over the same bytes. The bound is a ratio of at most 8, and linear
+//! growth; both are printed first.
 //!
-//! The yardstick is the least that a program on `quick-xml` can do: a `Reader` with its
-//! default configuration over the same `&str`, `read_event` until the end, every event
-//! dropped at once. It finds markup and compares the names of end tags; attributes are
-//! neither split nor decoded, text is not decoded, nothing is kept. The other side is
-//! `parse` (document and all diagnostics) and `Timeline::resolve` (document to sorted,
-//! indexed timeline), both with what they allocate and free.
+//! The reference is the minimum work of a program on `quick-xml`: a `Reader` with its default
+//! configuration over the same `&str`, `read_event` until the end, every event dropped immediately.
+//! It finds markup and compares the names of end tags; attributes are neither split nor decoded,
+//! text is not decoded, nothing is stored. The measured side is `parse` (document and all
+//! diagnostics) and `Timeline::resolve` (document to sorted, indexed timeline), both including
+//! their allocations and deallocations.
 
 #[path = "../../../crate/eml/tests/script/mod.rs"]
 mod script;

@@ -1,5 +1,5 @@
-//! What a picture of a shipped figure costs at each quality, pixels read back included, as wide as a
-//! player on a page: on software Vulkan what a machine without a graphics card takes.
+//! Rendering costs of a shipped figure at each quality, including the read-back of pixels, at the
+//! width of a player on a page: on software Vulkan, the time of a machine without a graphics card.
 
 #![allow(clippy::expect_used, reason = "a bench ends at its first fault")]
 

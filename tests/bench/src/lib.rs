@@ -1,1 +1,1 @@
-//! Nothing but benches: `cargo bench -p raconteur-bench --bench NAME`.
+//! Contains only benchmarks: `cargo bench -p raconteur-bench --bench NAME`.

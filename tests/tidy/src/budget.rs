@@ -1,5 +1,5 @@
-//! The gate is run before each change is merged, so it may not grow beyond a bound: whoever adds a
-//! slow test takes its time from another.
+//! The gate runs before each merge, so its duration is bounded: a new slow test must take its time
+//! from another.
 
 use std::fs;
 use std::path::Path;

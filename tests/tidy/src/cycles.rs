@@ -1,8 +1,8 @@
-//! No circles among the files of a crate. Two files that need each other are one idea in two
-//! places, or two ideas that want a third below them.
+//! Dependency cycles among the files of a crate. Two files that need each other are one idea in two
+//! places, or two ideas that need a third below them.
 //!
-//! A module may lean on its children and they on it: that edge is counted from the parent alone.
-//! Tests are left out, and a name that is handed on (`pub use`) counts for the file it comes from.
+//! A module and its children may depend on each other: that edge is counted only from the parent.
+//! Tests are excluded, and a re-exported name (`pub use`) counts for its source file.
 
 use std::collections::{BTreeMap, BTreeSet};
 

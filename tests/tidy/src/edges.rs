@@ -1,4 +1,4 @@
-//! The edges between crates, and the homes of platform crates.
+//! Edges between crates, and the locations of platform crates.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -101,7 +101,7 @@ fn crates_use_only_what_the_table_allows() {
         for (section, used) in dependencies(name) {
             for dependency in used {
                 if let Some(other) = dependency.strip_prefix("raconteur-") {
-                    // Tests of every crate ask it how much of them runs.
+                    // Tests of every crate query it for the extent of their run.
                     if other == "tier" && section == "dev-dependencies" {
                         continue;
                     }

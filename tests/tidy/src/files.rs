@@ -72,7 +72,7 @@ fn files_hold_one_idea() {
 
 #[test]
 fn nothing_is_left_undone_or_switched_off() {
-    // Spelled in two halves so that this file does not find itself.
+    // Each mark is written in two halves so that this file does not match itself.
     let marks = [
         ["to", "do!("],
         ["unimple", "mented!("],

@@ -1,14 +1,14 @@
-//! No circles among the folders of a crate: what lies in one folder can be read, moved and left out
-//! with what stands below it.
+//! Dependency cycles among the folders of a crate: a folder can be read, moved and removed with its
+//! dependencies.
 //!
-//! A thing of a crate's root is a folder with all that lies in it, however deep, or a file beside
-//! `lib.rs`; `x.rs` belongs to the folder `x`. Within a folder its own folders are compared in the
-//! same way, among each other. A folder's loose files belong to the folder, and a folder and those
-//! in it may know each other: `mod.rs` hands on what its children make, and children use `super`.
-//! The root of the crate is no folder, since it may hand on everything.
+//! A unit of a crate's root is a folder with all its content, at any depth, or a file next to
+//! `lib.rs`; `x.rs` belongs to the folder `x`. Within a folder, its own folders are compared among
+//! each other in the same way. A folder's loose files belong to the folder, and a folder and its
+//! subfolders may depend on each other: `mod.rs` re-exports names of its children, and children use
+//! `super`. The root of the crate is not a folder, because it may re-export everything.
 //!
-//! Uses are found as for circles of files, but a name that is handed on counts as a use, too: a
-//! folder that hands on another's names stands on it. Tests are left out.
+//! Uses are detected as for cycles of files, but a re-exported name counts as a use, too: a folder
+//! that re-exports another's names depends on it. Tests are excluded.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,7 +1,6 @@
-//! Rules of the workspace that the compiler does not know, checked by `cargo test`:
-//! which crate may use which, that no files and no folders of a crate need each other, where
-//! platform crates may appear, how long files grow, how long the gate may take,
-//! and that nothing of a maker's machine is left in the tree.
+//! Workspace rules that the compiler does not check, checked by `cargo test`: dependencies between
+//! crates, no cycles of files or folders in a crate, locations of platform crates, length of files,
+//! duration of the gate, and no traces of a developer's machine in the tree.
 
 #[cfg(test)]
 mod budget;

@@ -1,5 +1,5 @@
-//! The modules of a crate as its files say them: what each one names of the others, and what it
-//! hands on. Tests are left out.
+//! Modules of a crate according to its files: the names that each one uses of the others, and its
+//! re-exports. Tests are excluded.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -172,7 +172,7 @@ pub(crate) fn parse(
         module: &mut module,
         declared: Vec::new(),
     };
-    // Declarations first, so that paths that begin with a child are known as such.
+    // Declarations come first, so that paths that begin with a child are recognised.
     for item in &syntax.items {
         if let Item::Mod(m) = item
             && m.content.is_none()

@@ -1,5 +1,5 @@
-//! How much of a test runs. `npm test` is the gate and runs samples; `npm run test:long` sets the
-//! variable `TEST_LONG` and runs everything. `docs/testing.md` tells what that is.
+//! Extent of a test run. `npm test` is the gate and runs samples; `npm run test:long` sets the
+//! variable `TEST_LONG` and runs everything. `docs/testing.md` describes the extent.
 
 use std::env;
 

@@ -236,7 +236,7 @@ impl Players {
                     return;
                 }
                 let length_secs = clip.clip.duration_secs();
-                let played = track.speed.integral(t) - playing.begun;
+                let played = track.speed.integral(t) - playing.start_secs;
                 let played = if still { 0.0 } else { played };
                 let place = playing
                     .style
@@ -329,7 +329,7 @@ impl Track {
         let mut left = 1.0;
         for (i, stretch) in self.top.started_by(t).enumerate() {
             let share = faded(stretch, t, i) * left;
-            if let Some(playing) = &stretch.what {
+            if let Some(playing) = &stretch.value {
                 each(playing, share);
             }
             left -= share;
@@ -361,7 +361,7 @@ fn in_order<T>(stretches: &Intervals<T>, t: f64, mut each: impl FnMut(&T, f64)) 
     }
     for i in (0..seen).rev() {
         if let Some(stretch) = stretches.started_by(t).nth(i) {
-            each(&stretch.what, faded(stretch, t, i));
+            each(&stretch.value, faded(stretch, t, i));
         }
     }
 }

@@ -23,7 +23,7 @@ const MAX_SWAP_SECS: f64 = 60.0;
 pub(crate) struct Interval<T> {
     pub(crate) from_secs: f64,
     pub(crate) fade_secs: f64,
-    pub(crate) what: T,
+    pub(crate) value: T,
 }
 
 /// Values over time, each active from its start on; sorted by start time.
@@ -45,7 +45,7 @@ impl<T> Intervals<T> {
         self.0.push(Interval {
             from_secs,
             fade_secs,
-            what,
+            value: what,
         });
     }
 
@@ -62,7 +62,7 @@ pub(crate) struct PlayingClip {
     /// Index of its clip.
     pub(crate) clip: usize,
     /// Integral of the track's speed when the clip was put on.
-    pub(crate) begun: f64,
+    pub(crate) start_secs: f64,
     pub(crate) style: Playback,
 }
 
@@ -441,7 +441,11 @@ impl Track {
                     self.speed.time_of_integral(t, begun + total)
                 });
                 StackEntry {
-                    playing: PlayingClip { clip, begun, style },
+                    playing: PlayingClip {
+                        clip,
+                        start_secs: begun,
+                        style,
+                    },
                     until_secs: until.unwrap_or(f64::INFINITY),
                     fade_secs,
                 }
@@ -482,7 +486,7 @@ impl Track {
 
     fn show(&mut self, stack: &[StackEntry], t: f64, fade_secs: f64) {
         let top = stack.last().map(|e| e.playing);
-        let same = self.top.0.last().is_some_and(|s| s.what == top);
+        let same = self.top.0.last().is_some_and(|s| s.value == top);
         if !same {
             self.top.push(t, fade_secs, top);
         }

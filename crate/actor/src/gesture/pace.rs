@@ -28,7 +28,7 @@ pub(super) const SHAPING_SECS: f64 = 0.35;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct MoveDurations {
     /// The shortest that the planner plans.
-    pub(super) least_secs: f64,
+    pub(super) min_secs: f64,
     /// Unhurried duration.
     pub(super) easy_secs: f64,
 }
@@ -42,7 +42,7 @@ impl MoveDurations {
         }
         let least_secs = way_m / MAX_SPEED_M_S;
         Self {
-            least_secs,
+            min_secs: least_secs,
             easy_secs: reach_secs(way_m).max(least_secs),
         }
     }
@@ -54,7 +54,7 @@ impl MoveDurations {
             return Self::default();
         }
         Self {
-            least_secs: turn_rad / MAX_SPEED_TURN_RAD_S,
+            min_secs: turn_rad / MAX_SPEED_TURN_RAD_S,
             easy_secs: TURN_SECS[0] + TURN_SECS[1] * turn_rad,
         }
     }
@@ -66,7 +66,7 @@ impl MoveDurations {
             return Self::default();
         }
         Self {
-            least_secs: turn_rad / MAX_SPEED_FINGER_RAD_S,
+            min_secs: turn_rad / MAX_SPEED_FINGER_RAD_S,
             easy_secs: SHAPING_SECS,
         }
     }
@@ -74,7 +74,7 @@ impl MoveDurations {
     /// Returns the durations of two simultaneous movements.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
-            least_secs: self.least_secs.max(other.least_secs),
+            min_secs: self.min_secs.max(other.min_secs),
             easy_secs: self.easy_secs.max(other.easy_secs),
         }
     }

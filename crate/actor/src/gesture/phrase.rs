@@ -189,10 +189,10 @@ impl Phrase {
         }
         let (there, back) = (before.needs_to(last), last.needs_to(first));
         let secs = last.time_secs - before.time_secs;
-        if back.least_secs <= 0.0 || there.least_secs + back.least_secs > secs {
+        if back.min_secs <= 0.0 || there.min_secs + back.min_secs > secs {
             return;
         }
-        let share = back.least_secs / (there.least_secs + back.least_secs);
+        let share = back.min_secs / (there.min_secs + back.min_secs);
         last.time_secs -= back.easy_secs.min(share * secs);
     }
 

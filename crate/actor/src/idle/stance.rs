@@ -132,7 +132,7 @@ impl Leg {
                 joints[ankle.index()].translation_in_parent,
                 joints[knee.index()].zero_rotation,
                 knee_in_world.inverse() * DVec3::X,
-                limits([Limb::LeftLeg, Limb::RightLeg][side.index()], sex)[2].most_rad,
+                limits([Limb::LeftLeg, Limb::RightLeg][side.index()], sex)[2].max_rad,
             ),
             hip_in_pelvis: joints[hip.index()].translation_in_parent,
             hip_zero: joints[hip.index()].zero_rotation,

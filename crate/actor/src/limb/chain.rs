@@ -102,7 +102,7 @@ impl LimbRig {
             end.translation_in_parent,
             lower.zero_rotation,
             axis,
-            limits[2].most_rad,
+            limits[2].max_rad,
         );
         // The zero pose has arms stretched out sideways and standing legs.
         let lifted = if is_arm { sign * FRAC_PI_2 } else { 0.0 };
@@ -250,7 +250,7 @@ impl LimbRig {
         let ways = self.turn_angles(turn).map(|angles| {
             let over = angles.iter().zip(&self.limits[3..ROLL]).map(|(a, limit)| {
                 let angle = limit.wrapped(*a);
-                (angle - angle.clamp(limit.least_rad, limit.most_rad)).abs()
+                (angle - angle.clamp(limit.min_rad, limit.max_rad)).abs()
             });
             over.fold(0.0, f64::max)
         });

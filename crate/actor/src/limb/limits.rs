@@ -76,39 +76,39 @@ const PRONATION_SHARE: f64 = 80.0 / 170.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
     /// Minimum angle, radians.
-    pub least_rad: f64,
+    pub min_rad: f64,
     /// Maximum angle, radians.
-    pub most_rad: f64,
+    pub max_rad: f64,
 }
 
 impl Limit {
     /// Without limits.
     const FREE: Self = Self {
-        least_rad: f64::NEG_INFINITY,
-        most_rad: f64::INFINITY,
+        min_rad: f64::NEG_INFINITY,
+        max_rad: f64::INFINITY,
     };
 
     fn from_degrees([least_deg, most_deg]: [f64; 2]) -> Self {
         Self {
-            least_rad: least_deg.to_radians(),
-            most_rad: most_deg.to_radians(),
+            min_rad: least_deg.to_radians(),
+            max_rad: most_deg.to_radians(),
         }
     }
 
     /// Returns true if an angle is within the limit.
     #[must_use]
     pub fn contains(self, angle_rad: f64) -> bool {
-        (self.least_rad..=self.most_rad).contains(&angle_rad)
+        (self.min_rad..=self.max_rad).contains(&angle_rad)
     }
 
     /// Returns the equivalent angle (up to full turns) nearest to the middle of the range; without
     /// a limit the angle itself.
     #[must_use]
     pub fn wrapped(self, angle_rad: f64) -> f64 {
-        if self.least_rad.is_infinite() {
+        if self.min_rad.is_infinite() {
             return angle_rad;
         }
-        let middle = 0.5 * (self.least_rad + self.most_rad);
+        let middle = 0.5 * (self.min_rad + self.max_rad);
         middle + ops::wrap_angle(angle_rad - middle)
     }
 
@@ -121,12 +121,12 @@ impl Limit {
         if self.contains(angle) {
             return angle;
         }
-        let middle = 0.5 * (self.least_rad + self.most_rad);
-        let half = 0.5 * (self.most_rad - self.least_rad);
+        let middle = 0.5 * (self.min_rad + self.max_rad);
+        let half = 0.5 * (self.max_rad - self.min_rad);
         let off = angle - middle;
         let beyond = (off.abs() - half) / (PI - half);
         let kept = middle + off.signum() * half * (1.0 - smooth(2.0 * beyond - 1.0));
-        kept.clamp(self.least_rad, self.most_rad)
+        kept.clamp(self.min_rad, self.max_rad)
     }
 }
 
@@ -210,7 +210,7 @@ mod tests {
                     for i in -4000..=4000 {
                         let angle = f64::from(i) * 1e-3;
                         let kept = limit.clamp(angle);
-                        if limit.least_rad.is_finite() {
+                        if limit.min_rad.is_finite() {
                             assert!(limit.contains(kept), "{limb:?} {angle} {kept}");
                             let jump = last.map_or(0.0, |l| (kept - l).abs());
                             assert!(jump < 0.05, "{limb:?} {angle}: {jump}");
@@ -233,7 +233,7 @@ mod tests {
     fn the_rows_are_those_of_the_appendix() {
         let degrees = |limb, sex, joint: usize| {
             let limit = limits(limb, sex)[joint];
-            [limit.least_rad.to_degrees(), limit.most_rad.to_degrees()]
+            [limit.min_rad.to_degrees(), limit.max_rad.to_degrees()]
         };
         let near = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-9;
         assert!(

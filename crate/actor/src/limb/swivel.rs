@@ -248,7 +248,7 @@ impl LimbRig {
         let off = ways.map(|way| {
             let off = |i: usize| {
                 let angle = self.limits[i].wrapped(way[i]);
-                let over = angle - angle.clamp(self.limits[i].least_rad, self.limits[i].most_rad);
+                let over = angle - angle.clamp(self.limits[i].min_rad, self.limits[i].max_rad);
                 over * over
             };
             off(0) + off(1)

@@ -97,9 +97,9 @@ impl WristLimits {
         let [twist, deviation, flexion] = [3, 4, 5].map(|i: usize| limits[i]);
         Self {
             side,
-            twist_rad: [-twist.least_rad, twist.most_rad],
-            flexion_rad: [flexion.most_rad, -flexion.least_rad],
-            deviation_rad: [-deviation.least_rad, deviation.most_rad],
+            twist_rad: [-twist.min_rad, twist.max_rad],
+            flexion_rad: [flexion.max_rad, -flexion.min_rad],
+            deviation_rad: [-deviation.min_rad, deviation.max_rad],
         }
     }
 

@@ -147,14 +147,14 @@ impl Manipulators {
                 });
                 samples[limb.index()].push(Sample {
                     joints: met.joints,
-                    leads,
+                    follows_joints: leads,
                 });
                 self.place(limb, &met, weight, &mut pose);
             }
         }
         for (limb, samples) in Limb::ALL.into_iter().zip(samples) {
             if samples.len() == 4 {
-                self.steady[limb.index()].stretches.push(Interval {
+                self.steady[limb.index()].intervals.push(Interval {
                     from: at - 1,
                     first: at - 3,
                     samples,
@@ -172,7 +172,7 @@ impl Manipulators {
         let Some(next) = scan.next else {
             return;
         };
-        let open = self.steady[i].stretches.last_mut();
+        let open = self.steady[i].intervals.last_mut();
         if let Some(open) = open.filter(|s| s.next() == next) {
             // A command that drives joints starts with the joints.
             open.follow();
@@ -180,7 +180,7 @@ impl Manipulators {
         }
         let samples = (next - 3..next).map(|even| Sample {
             joints: self.undisturbed_at(limb, even as f64 / EVEN_HZ, scene),
-            leads: [false; 2],
+            follows_joints: [false; 2],
         });
         let stretch = Interval {
             from: next - 1,
@@ -190,7 +190,7 @@ impl Manipulators {
             lead_to: [next - 1; 2],
             takes: true,
         };
-        self.steady[i].stretches.push(stretch);
+        self.steady[i].intervals.push(stretch);
     }
 
     /// Follows up to a time.
@@ -211,12 +211,12 @@ impl Manipulators {
             if !waits && time_secs - secs > PAUSE_SECS || scan.steps >= MAX_STEPS {
                 scan.next = None;
                 for (i, steady) in self.steady.iter_mut().enumerate() {
-                    let Some(last) = steady.stretches.last_mut() else {
+                    let Some(last) = steady.intervals.last_mut() else {
                         continue;
                     };
                     last.rests = !(scan.loops[i] || scan.figure_loops);
                     // If no joints are driven, the last samples suffice.
-                    if last.samples.iter().all(|s| !s.leads[1]) {
+                    if last.samples.iter().all(|s| !s.follows_joints[1]) {
                         let keep = last.samples.len().saturating_sub(1);
                         last.samples.drain(..keep);
                         last.first += keep as i64;
@@ -261,14 +261,14 @@ impl Manipulators {
     ) -> Joints {
         let i = limb.index();
         let target = &met.joints;
-        let open = self.steady[i].stretches.last();
+        let open = self.steady[i].intervals.last();
         let last = open
             .filter(|s| s.next() == even && !self.steady[i].is_cut_before(even))
             .and_then(|s| s.samples.last());
         let Some(last) = last.map(|s| s.joints) else {
             // The limb comes under control at its current position.
             self.steady[i]
-                .stretches
+                .intervals
                 .push(Interval::new(even, even, *target));
             followed.target = Some(*target);
             return *target;
@@ -293,7 +293,7 @@ impl Manipulators {
         if (was || snaps) && !stays {
             let limited = self.tracks[i].limited(even as f64 / EVEN_HZ) >= 0.5;
             let along = if snaps { 0.0 } else { turned * EVEN_HZ };
-            let open = self.steady[i].stretches.last_mut();
+            let open = self.steady[i].intervals.last_mut();
             let waited = open.and_then(|stretch| stretch.delay_snap(self.limbs.get(i)));
             let (last, waits) = waited.unwrap_or((last, false));
             joints = if waits {
@@ -304,7 +304,7 @@ impl Manipulators {
         }
         let is_off = self.turned(limb, &joints, target) > CAUGHT_RAD;
         followed.is_behind = is_off && (was || snaps && !stays);
-        if let Some(stretch) = self.steady[i].stretches.last_mut() {
+        if let Some(stretch) = self.steady[i].intervals.last_mut() {
             // If the target is not met, the smoothing loses nothing.
             let begins = stretch.begins();
             stretch.push(

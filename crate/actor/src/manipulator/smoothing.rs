@@ -45,7 +45,7 @@ pub(super) struct Sample {
     pub(super) joints: Joints,
     /// True if the joints drive the limb there instead of the target: for the whole limb, and for
     /// its end.
-    pub(super) leads: [bool; 2],
+    pub(super) follows_joints: [bool; 2],
 }
 
 /// Unbroken run of even time steps during which the joints of a limb are recorded, from its motion
@@ -80,7 +80,7 @@ pub(super) struct SmoothedPath {
 /// Smoothed intervals of one limb, sorted by time; avoid jumps of the joints.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SmoothedPaths {
-    pub(super) stretches: Vec<Interval>,
+    pub(super) intervals: Vec<Interval>,
     /// Times at which the limb is cut to other joints, in order, seconds: no interval extends
     /// beyond them.
     pub(super) cuts_secs: Vec<f64>,
@@ -91,8 +91,8 @@ impl SmoothedPaths {
     /// drive it.
     pub(super) fn sample(&self, time_secs: f64, rig: Option<&LimbRig>) -> Option<SmoothedPath> {
         let even = (time_secs * EVEN_HZ).floor();
-        let begun = self.stretches.partition_point(|s| s.from as f64 <= even);
-        let on = self.stretches.get(begun.checked_sub(1)?)?;
+        let begun = self.intervals.partition_point(|s| s.from as f64 <= even);
+        let on = self.intervals.get(begun.checked_sub(1)?)?;
         let cut = self.cuts_secs.partition_point(|cut| *cut <= time_secs);
         let cut = cut.checked_sub(1).and_then(|last| self.cuts_secs.get(last));
         if cut.is_some_and(|cut| on.from as f64 / EVEN_HZ <= *cut) {
@@ -123,7 +123,7 @@ impl Interval {
             first,
             samples: vec![Sample {
                 joints,
-                leads: [false; 2],
+                follows_joints: [false; 2],
             }],
             rests: true,
             lead_to: [first; 2],
@@ -137,13 +137,13 @@ impl Interval {
         let recent = self.samples.len().saturating_sub(Self::AROUND);
         for (i, _) in leads.iter().enumerate().filter(|(_, leads)| **leads) {
             for sample in &mut self.samples[recent..] {
-                sample.leads[i] = true;
+                sample.follows_joints[i] = true;
             }
             self.lead_to[i] = next + Self::AROUND as i64;
         }
         self.samples.push(Sample {
             joints,
-            leads: self.lead_to.map(|to| next <= to),
+            follows_joints: self.lead_to.map(|to| next <= to),
         });
     }
 
@@ -151,7 +151,7 @@ impl Interval {
     pub(super) fn follow(&mut self) {
         let to = self.next() + Self::AROUND as i64;
         if let Some(last) = self.samples.last() {
-            for (lead_to, leads) in self.lead_to.iter_mut().zip(last.leads) {
+            for (lead_to, leads) in self.lead_to.iter_mut().zip(last.follows_joints) {
                 if leads {
                     *lead_to = to;
                 }
@@ -186,7 +186,7 @@ impl Interval {
         for (i, sample) in self.samples[taken..].iter_mut().enumerate() {
             *sample = Sample {
                 joints: on(i),
-                leads: [true; 2],
+                follows_joints: [true; 2],
             };
         }
         Some(if done < Self::AROUND {
@@ -221,7 +221,7 @@ impl Interval {
             weight_unmet,
         };
         for (i, weight) in around.into_iter().zip(weights) {
-            for (sum, leads) in lead.weights.iter_mut().zip(self.samples[i].leads) {
+            for (sum, leads) in lead.weights.iter_mut().zip(self.samples[i].follows_joints) {
                 *sum += weight * f64::from(u8::from(leads));
             }
         }

@@ -17,7 +17,7 @@ pub enum PlanBasis {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Manner {
     /// Source of the plan.
-    pub way: PlanBasis,
+    pub basis: PlanBasis,
     /// Amount of head raise and tilt, 0 to 1: at 1 the highest pitch raises it by
     /// [`HEAD_RAISE_RAD`](super::HEAD_RAISE_RAD).
     pub head: f64,
@@ -59,7 +59,7 @@ pub struct Manner {
 impl Default for Manner {
     fn default() -> Self {
         Self {
-            way: PlanBasis::Audio,
+            basis: PlanBasis::Audio,
             head: 1.0,
             tilt_share: 0.75,
             brows: 1.0,

@@ -91,7 +91,7 @@ impl NonVerbal {
         let loudness = loudness::track(&utterances);
         // The text does not specify its loudness, which the mouth needs.
         let unknown = loudness::track(&[]);
-        let by_sound = match manner.way {
+        let by_sound = match manner.basis {
             PlanBasis::Audio => &loudness,
             PlanBasis::Text => &unknown,
         };

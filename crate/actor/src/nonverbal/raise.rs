@@ -171,7 +171,7 @@ mod tests {
             (shipped(), PlanBasis::Audio),
         ] {
             let manner = Manner {
-                way,
+                basis: way,
                 ..Manner::default()
             };
             let heard = SpeechFeatures::new(&speech.iter().collect::<Vec<_>>(), &manner, 1);

@@ -210,7 +210,7 @@ impl SpeechFeatures {
         let u = &*timed.utterance;
         let known = accent::known(u);
         let before = self.extremes.len();
-        let from_sound = manner.way == PlanBasis::Audio
+        let from_sound = manner.basis == PlanBasis::Audio
             && pitch::extremes(timed, manner.pitch_threshold, &mut self.extremes);
         let accents = match &self.extremes[before..] {
             _ if !known.is_empty() => known,

@@ -95,7 +95,7 @@ fn collider(value: &Value) -> Option<Collider> {
     })
 }
 
-/// The extension of a file whose nodes are the joints.
+/// Returns the JSON of the `VRMC_springBone` extension for a file whose nodes are the joints.
 pub(super) fn write(springs: &Springs, numbers: &dyn Fn(&[f64]) -> Value) -> Value {
     let one = |x: f64| numbers(&[x])[0].clone();
     let colliders: Vec<Value> = springs

@@ -59,7 +59,7 @@ impl Grid {
             .map(|x| x.round() as i16)
     }
 
-    /// World from grid.
+    /// Returns the transform from the quantisation grid to world.
     fn world_from_grid(&self) -> DAffine3 {
         DAffine3::from_scale_rotation_translation(
             DVec3::splat(self.step),
@@ -73,7 +73,7 @@ fn vec(p: [f32; 3]) -> DVec3 {
     DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))
 }
 
-/// A JSON number with seven decimals: enough for f32, short in the file.
+/// Returns a JSON number with seven decimals: enough for `f32`, and short in the file.
 fn number(x: f64) -> Value {
     let r = (x * 1e7).round() / 1e7;
     // Zero has one sign in the file.
@@ -228,7 +228,8 @@ pub fn to_packed_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
     finish(document, buffer)
 }
 
-/// The extensions in a file that needs some of them.
+/// Returns the names of the extensions that a file uses: the needed ones, and that of springs if
+/// the figure has any.
 fn used<'a>(figure: &Figure, needed: &[&'a str]) -> Vec<&'a str> {
     let springs = (!figure.springs.is_empty()).then_some(springs::EXTENSION);
     needed.iter().copied().chain(springs).collect()
@@ -240,7 +241,8 @@ fn finish(mut document: Value, buffer: Buffer) -> Vec<u8> {
     glb(document.to_string().into_bytes(), buffer.bytes)
 }
 
-/// The accessor of the inverse bind matrices, which undo the grid.
+/// Writes the inverse bind matrices, which also undo the quantisation grid, and returns their
+/// accessor.
 fn inverse_bind(buffer: &mut Buffer, figure: &Figure, grid: &Grid) -> usize {
     let bytes: Vec<u8> = figure
         .inverse_bind
@@ -258,7 +260,7 @@ fn inverse_bind(buffer: &mut Buffer, figure: &Figure, grid: &Grid) -> usize {
     }))
 }
 
-/// The meshes, and the materials that they share.
+/// Returns the JSON of the meshes and of the materials that they share.
 fn meshes(buffer: &mut Buffer, grid: &Grid, figure: &Figure) -> (Vec<Value>, Vec<Value>) {
     let mut materials: Vec<&Material> = Vec::new();
     let mut meshes = Vec::new();

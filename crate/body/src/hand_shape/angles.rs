@@ -21,20 +21,20 @@ pub const FINGER_ROLL_RAD: [f64; 4] = [
 /// radians: its nail points partly towards the back of the hand. Chosen by eye.
 pub const THUMB_ROLL_RAD: f64 = (-22.0_f64).to_radians();
 
-/// Angles of one finger, radians.
+/// Joint angles of one finger, radians; 0 is straight.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FingerAngles {
     /// Knuckle, towards the palm.
     pub mcp_flexion: f64,
     /// Knuckle, towards the thumb.
     pub mcp_abduction: f64,
-    /// Middle joint.
+    /// Flexion of the middle (PIP) joint, radians.
     pub pip_flexion: f64,
-    /// Last joint.
+    /// Flexion of the last (DIP) joint, radians.
     pub dip_flexion: f64,
 }
 
-/// Angles of the thumb, radians.
+/// Joint angles of the thumb, radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ThumbAngles {
     /// Saddle joint, across the palm; negative out to the side.
@@ -43,25 +43,25 @@ pub struct ThumbAngles {
     pub cmc_abduction: f64,
     /// Saddle joint, about the thumb; negative is pronation.
     pub cmc_rotation: f64,
-    /// Knuckle.
+    /// Flexion of the knuckle (MCP joint), radians.
     pub mcp_flexion: f64,
-    /// Last joint.
+    /// Flexion of the last (IP) joint, radians.
     pub ip_flexion: f64,
 }
 
-/// Angles of all joints of a hand, radians. Linear blends of these stay inside the joint
-/// limits and bend every joint in its own plane.
+/// Angles of all joints of a hand, radians; hand shapes and gestures set fingers by them. Linear
+/// blends stay inside the joint limits and bend every joint in its own plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HandAngles {
     /// Index, middle, ring and little finger.
     pub fingers: [FingerAngles; 4],
-    /// The thumb.
+    /// Joint angles of the thumb.
     pub thumb: ThumbAngles,
 }
 
 impl HandAngles {
-    /// From degrees: a finger is `[mcp flexion, mcp abduction, pip, dip]`, the thumb
-    /// `[cmc flexion, cmc abduction, cmc rotation, mcp, ip]`.
+    /// Creates the angles from degrees: a finger is `[mcp flexion, mcp abduction, pip, dip]`, the
+    /// thumb `[cmc flexion, cmc abduction, cmc rotation, mcp, ip]`.
     #[must_use]
     pub const fn from_degrees(fingers: [[f64; 4]; 4], thumb: [f64; 5]) -> Self {
         const fn finger(deg: [f64; 4]) -> FingerAngles {
@@ -85,7 +85,7 @@ impl HandAngles {
         }
     }
 
-    /// The blend `self` · (1 − weight) + `other` · weight of every angle.
+    /// Returns the blend `self` · (1 − weight) + `other` · weight of every angle.
     #[must_use]
     pub fn lerp(&self, other: &Self, weight: f64) -> Self {
         let mix = |a: f64, b: f64| a + (b - a) * weight;
@@ -111,7 +111,8 @@ impl HandAngles {
         }
     }
 
-    /// The greatest difference of a bend from the same one of another shape, radians.
+    /// Returns the greatest difference between corresponding flexion angles of two hand shapes,
+    /// radians.
     #[must_use]
     pub fn greatest_difference(&self, other: &Self) -> f64 {
         let pairs = self.fingers.iter().zip(&other.fingers);
@@ -154,8 +155,8 @@ impl HandAngles {
         })
     }
 
-    /// Orientation of the left hand's finger bones, world from bone, while the wrist is
-    /// in the zero pose (fingers along +x, back of the hand up, thumb to the front).
+    /// Returns the orientation of the left hand's finger bones, world from bone, with the wrist in
+    /// the zero pose (fingers along +x, back of the hand up, thumb to the front).
     #[must_use]
     pub fn left_world(&self) -> [DQuat; 15] {
         let mut world = [DQuat::IDENTITY; 15];
@@ -190,8 +191,7 @@ impl HandAngles {
     }
 }
 
-/// Zero frames of the left finger bones, world from bone. They never change, and a frame
-/// of the story needs them for both hands.
+/// Returns the zero frames of the left finger bones, world from bone; computed once.
 fn left_zero_frames() -> &'static [DQuat; 15] {
     static FRAMES: OnceLock<[DQuat; 15]> = OnceLock::new();
     FRAMES.get_or_init(|| {

@@ -82,7 +82,7 @@ pub enum Bone {
     Chin,
 }
 
-/// One row of GEVH table A.1, as printed.
+/// Row of GEVH table A.1, as printed: name, parent and zero frame of a bone.
 struct Row {
     name: &'static str,
     parent: Option<usize>,
@@ -106,7 +106,7 @@ impl Row {
     }
 }
 
-/// The whole number nearest to `x`.
+/// Returns the integer nearest to `x`; halves are rounded away from zero.
 #[expect(clippy::cast_possible_truncation, reason = "small")]
 const fn nearest(x: f64) -> i32 {
     (if x < 0.0 { x - 0.5 } else { x + 0.5 }) as i32
@@ -192,10 +192,10 @@ static ROWS: [Row; Bone::COUNT] = [
     row("bone_chin", Some(52), false, [179.9038, 90.0039, -90.033], [0.01, 68.99, 0.0]),];
 
 impl Bone {
-    /// Number of bones.
+    /// Number of bones in the skeleton of GEVH appendix A.
     pub const COUNT: usize = 54;
 
-    /// Every bone, parents before children.
+    /// All bones, parents before children.
     pub const ALL: [Self; Self::COUNT] = [
         Self::Sacroiliac,
         Self::RHip,
@@ -253,13 +253,13 @@ impl Bone {
         Self::Chin,
     ];
 
-    /// Index in [`Bone::ALL`], 0..54.
+    /// Returns the index of the bone in [`Bone::ALL`], 0 to 53.
     #[must_use]
     pub fn index(self) -> usize {
         self as usize
     }
 
-    /// GEVH's name, for example `bone_r_wrist`.
+    /// Returns the name of the bone in GEVH, for example `bone_r_wrist`.
     #[must_use]
     pub fn name(self) -> &'static str {
         ROWS[self.index()].name
@@ -288,7 +288,7 @@ impl Bone {
         }
     }
 
-    /// The same bone on the other side; itself on the midline.
+    /// Returns the same bone on the other side; the bone itself on the midline.
     #[must_use]
     pub fn mirrored(self) -> Self {
         let name = match self.side() {
@@ -299,7 +299,7 @@ impl Bone {
         Self::from_name(&name).unwrap_or(self)
     }
 
-    /// A bone of one side by the name without side, for example `("wrist", Side::Left)`.
+    /// Returns the bone of one side by its name without the side, for example `wrist`.
     ///
     /// # Panics
     /// When there is no such bone; names come from code, not from input.
@@ -310,8 +310,8 @@ impl Bone {
         Self::from_name(&format!("{letter}_{part}")).expect("a bone of appendix A")
     }
 
-    /// Position of the male example of table A.1, in the engine frame and metres
-    /// (one unit is 25.4 mm), symmetrised from the left side.
+    /// Returns the position of the bone in the male example of table A.1, engine frame, metres (one
+    /// unit is 25.4 mm), symmetrised from the left side.
     #[must_use]
     pub fn example_position_m(self) -> DVec3 {
         let source = if self.side() == Some(Side::Right) {
@@ -340,7 +340,7 @@ fn source_axes(row: &Row) -> DMat3 {
     DMat3::from_cols(turn(m.x_axis), turn(m.y_axis), turn(m.z_axis))
 }
 
-/// Orientation of every bone in the zero pose, world from bone.
+/// Returns the orientation of every bone in the zero pose, world from bone.
 ///
 /// Midline rows lie within 1.3° of upright (noise of the example skeleton) and are set
 /// upright; the right side mirrors the left.

@@ -4,7 +4,8 @@ use raconteur_base::{DQuat, DVec3, Side};
 
 use super::Bone;
 
-/// Source of a joint's rotation.
+/// Source of a joint's rotation, for example a bone, a share of a bone's rotation, an eye, or a
+/// spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive {
     /// A bone of appendix A: its own rotation in the pose.
@@ -43,7 +44,8 @@ impl Drive {
         }
     }
 
-    /// The bone whose rotation counts, if any.
+    /// Returns the bone whose rotation drives the joint; `None` for eyes, lids, springs and fixed
+    /// joints.
     #[must_use]
     pub fn bone(self) -> Option<Bone> {
         match self {
@@ -109,7 +111,7 @@ impl Drive {
     }
 }
 
-/// The part of a rotation that turns about its own x axis (swing–twist decomposition).
+/// Returns the twist of a rotation about its own x axis (swing–twist decomposition).
 #[must_use]
 pub fn twist_about_x(q: DQuat) -> DQuat {
     let norm = raconteur_base::ops::hypot(q.x, q.w);

@@ -14,7 +14,7 @@ pub use drive::{Drive, twist_about_x};
 /// The stature for which lengths are designed that grow with the figure, metres.
 const DESIGN_STATURE_M: f64 = 1.7;
 
-/// One joint of a figure.
+/// Joint of a figure's skeleton: name, parent, offset, zero rotation and source of its rotation.
 #[derive(Clone, Debug)]
 pub struct Joint {
     /// Node name in glTF: the bone's name, or `helper_…`.
@@ -29,22 +29,22 @@ pub struct Joint {
     pub drive: Drive,
 }
 
-/// The joints of one figure. The first 54 are [`Bone::ALL`]; helpers follow, each a leaf, then
-/// chains that swing.
+/// Skeleton of one figure. The first 54 joints are [`Bone::ALL`]; helper joints follow, each a
+/// leaf, then spring chains.
 #[derive(Clone, Debug)]
 pub struct Skeleton {
     joints: Vec<Joint>,
     stature_m: f64,
 }
 
-/// Positions of the face helpers.
+/// Positions of the helper joints of the face: the centres of the eyeballs.
 #[derive(Clone, Copy, Debug)]
 pub struct FaceJoints {
     /// Centres of the eyeballs in the bind pose, world, left and right.
     pub eye_centres: [DVec3; 2],
 }
 
-/// The helper joints every generated figure has, with their glTF names, in order.
+/// Returns the helper joints of every generated figure, with their glTF names, in order.
 #[must_use]
 pub fn standard_helpers() -> Vec<(String, Drive)> {
     let mut helpers = Vec::new();
@@ -189,7 +189,7 @@ impl Skeleton {
         (ordered && bones).then_some(Self { joints, stature_m })
     }
 
-    /// All joints: the 54 bones, then the helpers.
+    /// Returns all joints: the 54 bones, the helpers, then spring chains.
     #[must_use]
     pub fn joints(&self) -> &[Joint] {
         &self.joints
@@ -233,7 +233,7 @@ impl Skeleton {
         self.stature_m / 77.0
     }
 
-    /// Length of a bone's offset from its parent, metres.
+    /// Returns the distance of a bone from its parent, metres.
     #[must_use]
     pub fn offset_length_m(&self, bone: Bone) -> f64 {
         self.joints[bone.index()].translation_in_parent.magnitude()
@@ -253,8 +253,8 @@ impl Skeleton {
         if off < 0.0 { 0.0 } else { off }
     }
 
-    /// Parent from joint for a joint that is turned by `own` from the zero pose while its
-    /// bone is turned by `turn`.
+    /// Returns the transform from joint to parent for a joint rotated by `own` from the zero pose
+    /// while its bone is rotated by `turn`.
     #[must_use]
     pub fn local(&self, joint: &Joint, own: DQuat, turn: DQuat) -> DAffine3 {
         let rotation = joint.zero_rotation * own;

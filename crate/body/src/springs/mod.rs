@@ -24,13 +24,13 @@ const PUSHES: usize = 3;
 /// Designed: hair that stands off farther looks windblown, and passes through colliders in quick
 /// motion.
 const MAX_SWING_COS: f64 = 0.956;
-/// And of the farthest that colliders push it: 30°. A raised shoulder may not press hair into the
-/// face.
+/// Cosine of the maximum deflection of a link by colliders, 30°. This keeps a raised shoulder from
+/// pushing hair into the face.
 const MAX_PUSH_COS: f64 = 0.866;
 /// Displacement in one step from which a joint counts as teleported, metres.
 const LEAP_M: f64 = 0.3;
 
-/// A joint of a chain, and how its end behaves.
+/// Link of a spring chain: its joint and the physical parameters of its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpringLink {
     /// Index of the joint in the skeleton.
@@ -45,36 +45,39 @@ pub struct SpringLink {
     pub radius_m: f64,
 }
 
-/// A chain. Each joint but the first hangs on the one before it; the last is an end only.
+/// Spring chain, such as a strand of hair or a hanging piece of cloth. Each joint except the first
+/// is attached to the previous one; the last is only an end.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chain {
-    /// From the root.
+    /// Links, from the root to the end.
     pub links: Vec<SpringLink>,
-    /// Indices into [`Springs::colliders`].
+    /// Colliders that act on the chain, as indices into [`Springs::colliders`].
     pub colliders: Vec<usize>,
 }
 
-/// A capsule that rides on a joint; a sphere where both ends are one.
+/// Capsule attached to a joint, which keeps spring chains out of the body; a sphere if both ends
+/// coincide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collider {
     /// Index of the joint in the skeleton.
     pub joint: usize,
     /// The ends of its middle line in the joint's frame, metres.
     pub ends: [DVec3; 2],
-    /// Metres.
+    /// Radius, metres.
     pub radius_m: f64,
 }
 
-/// All spring chains of a figure, and their colliders.
+/// Spring chains of a figure (hair, hanging cloth) with their colliders; simulated after each pose.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Springs {
-    /// Those nearer to the root first.
+    /// Spring chains, those nearer to the root first.
     pub chains: Vec<Chain>,
     /// Colliders of the chains.
     pub colliders: Vec<Collider>,
 }
 
-/// Positions of the ends: one for each link but the last of each chain, world, metres.
+/// State of the spring simulation: present and previous position of each link's end (all but the
+/// last of a chain), world, metres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpringState {
     now: Vec<DVec3>,
@@ -98,20 +101,21 @@ struct HangingJoint<'a> {
     end: usize,
     /// World, metres.
     joint: DVec3,
-    /// From the joint to its end at rest, world, metres.
+    /// Vector from the joint to its end at rest, world, metres.
     arm: DVec3,
-    /// The same where no joint of the chain is turned.
+    /// Vector from the joint to its end with no joint of the chain rotated, world, metres.
     still: DVec3,
 }
 
 impl Springs {
-    /// Returns true if there are no spring chains.
+    /// Returns true if the figure has no spring chains.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.chains.is_empty()
     }
 
-    /// A swing with room for all ends, to be hung at rest.
+    /// Creates the state of a spring simulation for all chains; call [`Springs::rest`] before the
+    /// first step.
     #[must_use]
     pub fn swing(&self) -> SpringState {
         let ends: usize = self
@@ -128,7 +132,7 @@ impl Springs {
         }
     }
 
-    /// Hangs everything at rest in a solved posture.
+    /// Places all ends at rest in a solved pose.
     pub fn rest(&self, world: &[DAffine3], swing: &mut SpringState) {
         swing.now.clear();
         for chain in &self.chains {
@@ -138,8 +142,8 @@ impl Springs {
         swing.before.clone_from(&swing.now);
     }
 
-    /// One step of 1 / [`STEPS_PER_S`] to a solved posture, whose chains are turned accordingly.
-    /// `swing` has been at rest once.
+    /// Advances the simulation by 1 / [`STEPS_PER_S`] and rotates the chains of a solved pose
+    /// accordingly. `swing` must have been at rest once.
     pub fn step(&self, skeleton: &Skeleton, world: &mut [DAffine3], swing: &mut SpringState) {
         let mut next = core::mem::take(&mut swing.next);
         let mut lines = core::mem::take(&mut swing.lines);

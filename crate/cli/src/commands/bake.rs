@@ -21,7 +21,7 @@ use raconteur_voice::bake::engine::{self, ENGINES, EngineOptions, VoiceInfo};
 use raconteur_voice::bake::program::MissingPrograms;
 use raconteur_voice::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
 
-/// Make or refresh the speech bundles of stories.
+/// Make or refresh the speech bundles of stories: synthesised speech with its words and phones.
 #[derive(Args)]
 pub(crate) struct Bake {
     /// Scripts, or folders that contain a story.eml.
@@ -138,7 +138,8 @@ impl Bake {
         Ok(worst)
     }
 
-    /// The speaker: the engine and voice of the options, else those that the story chooses.
+    /// Returns the speaking voice: engine and voice of the options, or else those that the story
+    /// chooses.
     fn cast(&self, script: &Script, options: EngineOptions) -> Result<Cast> {
         let performer = script.document.performer.as_ref();
         let (engine, voice) = (self.engine.as_deref(), self.voice.as_deref());
@@ -151,7 +152,7 @@ impl Bake {
                 Some(_) => Cast::new(engine, None, options)?,
                 None => {
                     let mut cast = Cast::new(engine, None, options)?;
-                    cast.lead = cast.named(named).context("the story chooses its voice")?;
+                    cast.primary = cast.named(named).context("the story chooses its voice")?;
                     cast
                 }
             },
@@ -190,7 +191,7 @@ impl Bake {
         } else if let Some(usual) = &cast.instead_of
             && !baked.synthesised.is_empty()
         {
-            let lead = &cast.lead;
+            let lead = &cast.primary;
             let better = engine::local().iter().map(|(name, _)| *name);
             let better: Vec<&str> = better.take_while(|name| *name != lead.engine).collect();
             let are = if better.len() == 1 { "is" } else { "are" };

@@ -20,7 +20,8 @@ const USUAL_PORT: u16 = 7373;
 const MIN_IDLE_SECS: f64 = 1.0;
 const MAX_IDLE_SECS: f64 = 86_400.0;
 
-/// Perform fragments sent by minds, and report events as JSON lines.
+/// Perform fragments sent by minds (programs that control a live performance), and report events as
+/// JSON lines.
 ///
 /// A mind sends fragments of EML by WebSocket (one a message), TCP or standard input (each
 /// ends with the line that closes it). See docs/live.md.

@@ -14,15 +14,16 @@ use raconteur_sculpt::crossing::Skin;
 
 use crate::terminal;
 
-/// Story to perform.
+/// Story for face checks: script text and its speech bundle.
 pub(crate) struct StoryCheck<'a> {
     /// The script.
     pub(crate) text: &'a str,
-    /// Its speech bundle.
+    /// Speech bundle of the story; `None` for a story without one.
     pub(crate) bundle: Option<&'a [u8]>,
 }
 
-/// Findings about one face: the worst value of each check, and the values beyond their limit.
+/// Findings about one face in a performed story: the worst value of each check, and the values
+/// beyond their limit.
 pub(crate) struct FaceReport {
     pub(crate) worst: BTreeMap<&'static str, f64>,
     pub(crate) wrong: Vec<String>,

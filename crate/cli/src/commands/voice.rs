@@ -167,8 +167,8 @@ impl Measure {
                     "{:24} {:24} asked {:6.3} heard {:6.3}, off by {:4.1} % ({:3.0} % of the change){}",
                     row.setting,
                     row.property,
-                    row.asked,
-                    row.heard,
+                    row.requested,
+                    row.measured,
                     row.error() * 100.0,
                     row.missing() * 100.0,
                     if row.is_met() { "" } else { "  NOT AS ASKED" }
@@ -187,8 +187,8 @@ fn row(row: &Row) -> serde_json::Value {
     json!({
         "setting": row.setting,
         "property": row.property,
-        "asked": row.asked,
-        "heard": row.heard,
+        "asked": row.requested,
+        "heard": row.measured,
         "error": row.error(),
         "missing": row.missing(),
         "ok": row.is_met(),

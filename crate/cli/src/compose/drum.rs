@@ -3,7 +3,8 @@
 use super::note::Note;
 use super::signal::{Filter, Noise, Stereo, add, frequency_hz, sine};
 
-/// A sine that falls in pitch and loudness: from and to in Hz, how fast in 1/s.
+/// Adds a drum sound: a sine that falls in pitch (`hz` from and to, `bend` in 1/s) and in level
+/// (`decay` in 1/s).
 fn thump(note: &Note, out: &mut Stereo, hz: [f64; 2], bend: f64, decay: f64, level: f64) {
     let level = level * note.velocity;
     add(out, note.start_secs, 5.0 / decay, |t| {

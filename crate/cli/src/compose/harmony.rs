@@ -2,8 +2,7 @@
 
 use anyhow::{Context as _, Result, bail, ensure};
 
-/// A chord: its tones from the root upwards, as pitch classes with the root first, and the
-/// pitch class of its bass.
+/// Chord: pitch classes of its tones from the root upwards, and the pitch class of its bass.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Chord {
     root: f64,
@@ -86,13 +85,13 @@ pub(crate) fn chord(name: &str) -> Result<Chord> {
     Ok(Chord { root, tones, bass })
 }
 
-/// The lowest pitch of a class that is not below another.
+/// Returns the lowest pitch of a pitch class that is not below `low`.
 fn above(class: f64, low: f64) -> f64 {
     low + (class - low).rem_euclid(12.0)
 }
 
 impl Chord {
-    /// Its bass, at or above `low`.
+    /// Returns the bass note of the chord at or above `low`, as a pitch.
     pub(crate) fn bass(&self, low: f64) -> f64 {
         above(self.bass, low)
     }
@@ -105,8 +104,8 @@ impl Chord {
         above(self.root, low) + self.tones[n % self.tones.len()] + octave
     }
 
-    /// All its tones within the octave above `low`, rising: neighbours move little from
-    /// chord to chord.
+    /// Returns all chord tones within the octave above `low`, ascending, so that voices move little
+    /// from chord to chord.
     pub(crate) fn close(&self, low: f64) -> Vec<f64> {
         let mut all: Vec<f64> = self
             .tones

@@ -11,13 +11,13 @@ use super::drum;
 use super::note::Note;
 use super::signal::{Filter, Noise, RATE_HZ, Stereo, add, frequency_hz, sine};
 
-/// Instrument.
+/// Instrument of the built-in synthesiser.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Instrument {
     /// A soft choir of sawtooths.
     Pad,
-    /// The same, brighter and bowed: it swells within a note.
+    /// Bowed strings, brighter than the pad, with a swell within each note.
     Strings,
     /// A plucked string, as of a guitar.
     Pluck,
@@ -303,8 +303,8 @@ fn modulated(note: &Note, noise: &mut Noise, out: &mut Stereo, how: &FrequencyMo
     });
 }
 
-/// A bar of wood: three partials that fall quickly. The ratios are those of a tuned marimba
-/// bar, 1 : 4 : 9.2 (Fletcher and Rossing, The Physics of Musical Instruments, 19.4).
+/// Renders a marimba note: three partials that decay quickly, with the ratios of a tuned bar, 1 : 4
+/// : 9.2 (Fletcher and Rossing, The Physics of Musical Instruments, 19.4).
 fn marimba(note: &Note, noise: &mut Noise, out: &mut Stereo) {
     let pitch_hz = frequency_hz(note.pitch);
     let level = 0.34 * note.velocity;

@@ -7,7 +7,7 @@ use super::lufs;
 use super::score::{Part, Score, gain};
 use super::signal::{Filter, Noise, RATE_HZ, Stereo, sine};
 
-/// No sample is beyond this, dB below full scale: encoders overshoot a little.
+/// Maximum sample level, dB relative to full scale; leaves room for the overshoot of encoders.
 const CEILING_DB: f64 = -1.5;
 
 /// Mixes a score at the loudness that it specifies, without clipping.
@@ -116,8 +116,8 @@ fn repeat(sent: &Stereo, delay_secs: f64) -> Stereo {
     out
 }
 
-/// A room: eight delays that feed each other through a reflection, each losing its heights
-/// (feedback delay network, Jot and Chaigne 1991).
+/// Adds the reverberation of a room: a feedback delay network of eight lines with high-frequency
+/// loss (Jot and Chaigne 1991).
 fn reverberate(sent: &Stereo) -> Stereo {
     /// Lengths without common factors, samples: walls 9 to 18 m apart.
     const DELAYS: [usize; 8] = [1277, 1487, 1613, 1783, 1931, 2111, 2281, 2473];

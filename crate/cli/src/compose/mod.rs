@@ -21,7 +21,7 @@ use raconteur_voice::signal::loudness::integrated_lufs;
 
 pub(crate) use score::Score;
 
-/// A finished piece.
+/// Finished piece of music: its stereo samples, ready to be measured and written.
 pub(crate) struct Music {
     sound: signal::Stereo,
 }
@@ -36,24 +36,24 @@ pub(crate) fn play(score: &Score) -> Result<Music> {
     })
 }
 
-/// Integrated loudness, LUFS (BS.1770-4); that of silence is -120.
+/// Returns the integrated loudness, LUFS (BS.1770-4); -120 for silence.
 fn lufs(sound: &signal::Stereo) -> f64 {
     let channels = sound.each_ref().map(Vec::as_slice);
     integrated_lufs(&channels, signal::RATE_HZ).unwrap_or(-120.0)
 }
 
 impl Music {
-    /// Length, seconds.
+    /// Returns the length of the piece, seconds.
     pub(crate) fn length_secs(&self) -> f64 {
         self.sound[0].len() as f64 / signal::RATE_HZ
     }
 
-    /// Integrated loudness, LUFS (BS.1770-4).
+    /// Returns the integrated loudness of the piece, LUFS (BS.1770-4).
     pub(crate) fn loudness_lufs(&self) -> f64 {
         lufs(&self.sound)
     }
 
-    /// The highest sample, dB below full scale.
+    /// Returns the peak sample level, dB relative to full scale.
     pub(crate) fn peak_db(&self) -> f64 {
         let peak = self
             .sound

@@ -1,6 +1,6 @@
 //! Notes.
 
-/// One note at its time.
+/// Note of a track: start and length in seconds, pitch as a MIDI number, and velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Note {
     /// Seconds from the start.

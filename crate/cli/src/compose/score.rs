@@ -15,11 +15,11 @@ const MAX_SECS: f64 = 1200.0;
 /// Maximum number of notes and cells in a piece; a cell that holds notes counts for each.
 const MAX_WORK: usize = 1_000_000;
 
-/// A piece as it is written.
+/// Musical score as written in JSON: tempo, loudness, tracks, patterns and form.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Score {
-    /// Its name.
+    /// Title of the piece.
     pub(crate) title: String,
     /// Quarter notes a minute.
     pub(crate) bpm: f64,
@@ -36,7 +36,7 @@ pub(crate) struct Score {
     form: Vec<Section>,
 }
 
-/// One voice of the ensemble.
+/// Track of a score: instrument, level, pan and effect sends.
 #[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Track {
@@ -45,7 +45,7 @@ pub(crate) struct Track {
     pub(crate) instrument: Instrument,
     /// Level, dB.
     pub(crate) level: f64,
-    /// From -1, left, to 1, right.
+    /// Stereo position, -1 (left) to 1 (right).
     #[serde(default)]
     pub(crate) pan: f64,
     /// Reverb send, 0..1.
@@ -70,7 +70,8 @@ fn middle() -> String {
 #[serde(deny_unknown_fields)]
 struct Pattern {
     track: String,
-    /// One text a bar, of as many equal cells as it has words; they repeat.
+    /// Bars of the pattern, one text each, divided into as many equal cells as it has words. The
+    /// bars repeat.
     bars: Vec<String>,
 }
 
@@ -86,11 +87,11 @@ struct Section {
     play: Vec<String>,
 }
 
-/// Notes of one track.
+/// Track with the notes that it plays in the whole piece.
 pub(crate) struct Part {
     /// Track.
     pub(crate) track: Track,
-    /// By start.
+    /// Notes, sorted by start.
     pub(crate) notes: Vec<Note>,
 }
 
@@ -142,7 +143,7 @@ impl Score {
         f64::from(self.beats) * 60.0 / self.bpm
     }
 
-    /// Length without the tail, seconds.
+    /// Returns the length of the piece without its tail, seconds.
     pub(crate) fn length_secs(&self) -> f64 {
         let bars: f64 = self.form.iter().map(|s| f64::from(s.bars)).sum();
         bars * self.bar_secs()
@@ -159,7 +160,7 @@ impl Score {
         self.form.iter().map(|s| (s.name.as_str(), at(s))).collect()
     }
 
-    /// The notes of every track.
+    /// Returns every track with its notes.
     ///
     /// # Errors
     /// Where a name, a chord or a cell means nothing, or there are too many notes.
@@ -234,7 +235,7 @@ impl Part {
 }
 
 impl Section {
-    /// The chords of its bars.
+    /// Returns the chords of each bar of the section; empty if it has none.
     fn chords(&self) -> Result<Vec<Vec<Chord>>> {
         if self.chords.is_empty() {
             return Ok(Vec::new());
@@ -254,7 +255,7 @@ fn chord_at(chords: &[Vec<Chord>], bars: f64) -> Option<&Chord> {
     bar.get(inside as usize).or(bar.last())
 }
 
-/// A name with its level at the start and the end, dB.
+/// Splits an entry into the pattern name and its level at start and end, dB; 0 dB without one.
 fn level(entry: &str) -> Result<(&str, (f64, f64))> {
     let Some((name, levels)) = entry.split_once(':') else {
         return Ok((entry, (0.0, 0.0)));
@@ -268,7 +269,7 @@ fn level(entry: &str) -> Result<(&str, (f64, f64))> {
     Ok((name, (number(from)?, number(to)?)))
 }
 
-/// The factor of a level in dB.
+/// Returns the amplitude factor of a level in dB.
 pub(crate) fn gain(db: f64) -> f64 {
     libm::pow(10.0, db / 20.0)
 }

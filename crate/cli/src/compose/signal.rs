@@ -5,17 +5,17 @@ use std::f64::consts::{PI, TAU};
 /// Samples a second; Opus knows no higher rate.
 pub(crate) const RATE_HZ: f64 = 48_000.0;
 
-/// The sine of a number of cycles.
+/// Returns the sine of a phase in cycles.
 pub(crate) fn sine(cycles: f64) -> f64 {
     libm::sin(TAU * (cycles - cycles.floor()))
 }
 
-/// White noise that is the same each time (SplitMix64, Steele et al. 2014,
+/// Deterministic white noise generator (SplitMix64, Steele et al. 2014,
 /// doi:10.1145/2714064.2660195).
 pub(crate) struct Noise(u64);
 
 impl Noise {
-    /// The noise of one note of one track.
+    /// Creates the noise generator of one note of one track.
     pub(crate) fn new(seed: u64, track: u64, note: u64) -> Self {
         let mut noise =
             Self(seed ^ track.wrapping_mul(0xd6e8_feb8_6659_fd93) ^ note.rotate_left(32));
@@ -31,19 +31,19 @@ impl Noise {
         z ^ (z >> 31)
     }
 
-    /// From 0 to 1.
+    /// Returns the next random number, 0 to 1.
     pub(crate) fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// From -1 to 1.
+    /// Returns the next random number, -1 to 1.
     pub(crate) fn signed(&mut self) -> f64 {
         2.0 * self.unit() - 1.0
     }
 }
 
-/// A filter of second order that stays stable while its frequency moves (Simper 2013,
-/// "Solving the continuous SVF equations using trapezoidal integration").
+/// Second-order state-variable filter that stays stable while its cutoff frequency changes (Simper
+/// 2013, "Solving the continuous SVF equations using trapezoidal integration").
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Filter {
     s1: f64,
@@ -51,7 +51,7 @@ pub(crate) struct Filter {
 }
 
 impl Filter {
-    /// Low, band and high part of one more sample.
+    /// Filters one sample and returns its low-pass, band-pass and high-pass outputs.
     fn step(&mut self, x: f64, cutoff_hz: f64, resonance: f64) -> [f64; 3] {
         let g = libm::tan(PI * (cutoff_hz / RATE_HZ).min(0.49));
         let k = 1.0 / resonance;
@@ -79,10 +79,10 @@ impl Filter {
     }
 }
 
-/// Two channels of sound, one sample each `1 / RATE_HZ` seconds.
+/// Left and right channel of a sound, one sample every `1 / RATE_HZ` seconds.
 pub(crate) type Stereo = [Vec<f64>; 2];
 
-/// Frequency of a MIDI number.
+/// Returns the frequency of a MIDI note number, Hz.
 pub(crate) fn frequency_hz(pitch: f64) -> f64 {
     440.0 * libm::pow(2.0, (pitch - 69.0) / 12.0)
 }

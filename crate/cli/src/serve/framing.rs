@@ -4,7 +4,8 @@
 //! may therefore send one line or pretty-printed clauses, and malformed input ends at the next
 //! empty line.
 
-/// Cuts a stream; one for each connection. Memory is bounded by the limit.
+/// Splitter of a byte stream into EML fragments, one per connection. Memory is bounded by the
+/// limit.
 pub(crate) struct Framer {
     /// Current fragment, at most one byte longer than the limit.
     text: Vec<u8>,
@@ -19,9 +20,9 @@ pub(crate) struct Framer {
 #[derive(Clone, Copy, PartialEq)]
 enum State {
     Text,
-    /// After `<`.
+    /// After `<`, before the kind of markup is known.
     Markup,
-    /// In a tag.
+    /// Inside a tag.
     Tag {
         closing: bool,
         /// The last byte was `/`.
@@ -70,7 +71,7 @@ impl Framer {
         fragments
     }
 
-    /// The last fragment of a stream that has ended, or of a line.
+    /// Returns the rest of the stream, or of a line, as the last fragment; `None` if it is blank.
     pub(crate) fn finish(&mut self) -> Option<String> {
         let text = std::mem::take(&mut self.text);
         (self.depth, self.state, self.blank) = (0, State::Text, true);
@@ -185,7 +186,8 @@ mod tests {
         }
     }
 
-    /// The same however the stream is cut into packets.
+    /// Returns the fragments of a test stream, and checks that the division into packets has no
+    /// effect.
     fn frames(stream: &str) -> Vec<String> {
         let whole = {
             let mut framer = Framer::new(60);

@@ -13,7 +13,7 @@ const METHODS: [&str; 10] = [
     "GET ", "HEAD ", "POST ", "PUT ", "DELETE ", "CONNECT ", "OPTIONS ", "TRACE ", "PATCH ", "PRI ",
 ];
 
-/// Classification of the bytes received so far.
+/// Classification of the bytes that a TCP connection has sent before its greeting is complete.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Greeting<'a> {
     /// Possible prefix of the greeting line.
@@ -26,7 +26,7 @@ pub(crate) enum Greeting<'a> {
     Other,
 }
 
-/// The greeting's line for a token, without its end.
+/// Returns the greeting line for a token, without line end.
 pub(crate) fn line(token: &str) -> String {
     format!("{OPENING}{token}")
 }

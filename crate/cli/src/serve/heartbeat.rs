@@ -2,15 +2,15 @@
 
 use std::time::{Duration, Instant};
 
-/// Monitors one connection: it gets a ping after a silence, and is closed after a longer one, so
-/// that dead connections do not occupy a slot.
+/// Keep-alive monitor of one connection: it requests a ping after a silence and the end after a
+/// longer one, so that dead connections do not occupy a slot.
 pub(crate) struct Heartbeat {
     heard: Instant,
     asked: bool,
     idle: Duration,
 }
 
-/// The action that is due.
+/// Action due for a connection: none, ping or disconnect.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum HeartbeatAction {
     /// No action.
@@ -38,7 +38,7 @@ impl Heartbeat {
         self.asked = false;
     }
 
-    /// The action that is due now.
+    /// Returns the action that is due at `now`.
     pub(crate) fn beat(&mut self, now: Instant) -> HeartbeatAction {
         let silent = now.saturating_duration_since(self.heard);
         if silent >= self.idle {

@@ -22,10 +22,11 @@ pub(crate) const TURN: Duration = Duration::from_millis(20);
 /// Timeout for a mind's greeting, and for reading a line.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(5);
 
-/// A line for a mind, without the end of line.
+/// Line of JSON to send to a mind (a program that controls a live performance), without line end.
 pub(crate) type Line = Arc<str>;
 
-/// Mind, as seen by the performer.
+/// Connected mind (a program that sends EML clauses during a live performance), as seen by the
+/// performing thread.
 pub(crate) struct Mind {
     /// Identifier of the mind.
     pub(crate) id: u32,
@@ -39,7 +40,7 @@ enum Outbox {
     StandardOutput,
 }
 
-/// Performer, as seen by a connection.
+/// Channels from a connection thread to the performing thread: fragments in, lines out.
 pub(crate) struct MindLink {
     inbox: SyncSender<String>,
     outbox: Receiver<Line>,
@@ -47,7 +48,7 @@ pub(crate) struct MindLink {
     held: Option<String>,
 }
 
-/// Entry point for connections.
+/// Shared state with which connection threads register new minds at the performance.
 #[derive(Clone)]
 pub(crate) struct ConnectionSender {
     token: Arc<str>,
@@ -70,7 +71,7 @@ impl Drop for ConnectionSlot {
     }
 }
 
-/// The connection's other side is gone.
+/// Error returned when the other side of the connection is gone.
 pub(crate) struct Disconnected;
 
 #[derive(Serialize)]
@@ -184,7 +185,7 @@ impl Mind {
 }
 
 impl MindLink {
-    /// A line to send, if there is one.
+    /// Returns the next line to send to the mind; `None` if there is none.
     pub(crate) fn line(&self) -> Result<Option<Line>, Disconnected> {
         match self.outbox.try_recv() {
             Ok(line) => Ok(Some(line)),

@@ -33,7 +33,8 @@ const STEP: Duration = Duration::from_millis(10);
 /// Maximum number of fragments of one mind performed per poll, so that all minds get their turn.
 const AT_ONCE: usize = 4;
 
-/// Transports available to minds.
+/// Transports by which minds (programs that control the performance) can connect, with token and
+/// idle time.
 pub(crate) struct Transports {
     /// Address for WebSockets.
     pub(crate) websocket: Option<SocketAddr>,
@@ -47,7 +48,7 @@ pub(crate) struct Transports {
     pub(crate) idle: Duration,
 }
 
-/// Source of story time.
+/// Source of story time in a live performance: real time, or given by the input.
 #[derive(Clone, Copy)]
 pub(crate) enum Clock {
     /// Real time, this much faster.
@@ -119,7 +120,7 @@ pub(crate) fn run(mut player: Player, ways: &Transports, clock: Clock) -> Result
     }
 }
 
-/// A token that cannot be guessed: 128 random bits.
+/// Returns a random token with 128 bits.
 fn token() -> Result<String> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes).context("no random numbers for a token; name one with --token")?;
@@ -233,7 +234,8 @@ impl LiveSession {
         }
     }
 
-    /// Story time passes with the lines `@SECONDS` of the standard input, and ends with it.
+    /// Performs with virtual time: story time advances with the lines `@SECONDS` of standard input,
+    /// and ends with it.
     fn by_input(&mut self) -> Result<()> {
         let mut now_secs = 0.0;
         self.greet(now_secs)?;

@@ -19,7 +19,7 @@ const FAREWELL: Duration = Duration::from_secs(3);
 /// Maximum amount of that data, bytes.
 const FAREWELL_BYTES: usize = 1 << 20;
 
-/// Connections that have not greeted yet.
+/// Connections that have not sent their greeting yet, limited in number and time.
 #[derive(Clone, Default)]
 pub(crate) struct PendingConnections(Arc<Mutex<PendingConnection>>);
 
@@ -30,7 +30,7 @@ struct PendingConnection {
     streams: VecDeque<(u64, TcpStream)>,
 }
 
-/// A connection's stay in the lobby; it ends with this.
+/// Entry of a connection among the pending ones, removed on drop.
 pub(crate) struct PendingGuard {
     lobby: PendingConnections,
     id: u64,
@@ -70,7 +70,7 @@ impl Drop for PendingGuard {
     }
 }
 
-/// Connection with a common deadline for all reads: with a timeout per read, a peer could send
+/// TCP stream with a common deadline for all reads: with a timeout per read, a peer could send
 /// single bytes forever.
 pub(crate) struct DeadlineStream {
     stream: TcpStream,
@@ -86,7 +86,7 @@ impl DeadlineStream {
         }
     }
 
-    /// From now on reads end one by one, after this time.
+    /// Removes the common deadline; from then on each read times out after `turn`.
     pub(crate) fn settle(&mut self, turn: Duration) -> io::Result<()> {
         self.until = None;
         self.stream.set_read_timeout(Some(turn))

@@ -58,9 +58,9 @@ pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> io::Result<()
 
 /// Reason for rejecting a connection.
 enum RejectReason {
-    /// It gets a message.
+    /// Rejected with a message to the peer.
     Told(&'static str),
-    /// It is gone, or out of time.
+    /// Rejected without a message: the peer is gone or timed out.
     Silent(io::Error),
 }
 

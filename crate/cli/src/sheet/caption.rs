@@ -2,7 +2,7 @@
 
 /// Height of a letter, dots.
 pub(super) const HEIGHT: u32 = 7;
-/// From one letter to the next, dots.
+/// Distance from one letter to the next, dots.
 const ADVANCE: u32 = 6;
 
 /// Letters by row from the top, the highest of five bits at the left.

@@ -14,7 +14,7 @@ use super::posture::Posture;
 use super::tile::{Maker, Tile, middle_of_head};
 use super::view::before;
 
-/// Of the blink's tiles.
+/// Frame rate of the blink tiles, frames per second.
 const FRAMES_PER_S: f64 = 60.0;
 
 /// Potential at which an emotion has its nominal strength.
@@ -46,7 +46,8 @@ impl<'a> Maker<'a> {
         posture
     }
 
-    /// Every word at the strength of the table, and fear at four.
+    /// Returns a tile for every emotion word at a plain intensity, and for fear at four
+    /// intensities.
     pub(super) fn emotions(&self) -> Vec<Tile> {
         let one = |word: &str, potential: f64| {
             self.head(
@@ -59,7 +60,7 @@ impl<'a> Maker<'a> {
         words.into_iter().chain(strengths).collect()
     }
 
-    /// Head and shoulders, friendly.
+    /// Returns a tile with a friendly portrait of head and shoulders.
     pub(super) fn portrait(&self) -> Tile {
         let (word, potential) = FRIENDLY;
         self.tile("portrait", 1.0, self.with_emotion(word, potential), |at| {
@@ -68,7 +69,7 @@ impl<'a> Maker<'a> {
         })
     }
 
-    /// The eyes in a blink of three phases, at 60 frames a second.
+    /// Returns tiles of the eyes during a blink with three phases, at 60 frames per second.
     pub(super) fn blink(&self) -> Vec<Tile> {
         let closed = CLOSING_SECS + CLOSED_SECS;
         let open = closed + OPENING_SECS;

@@ -3,7 +3,8 @@
 use raconteur_base::DVec3;
 use raconteur_stage::{DirectedLight, Lighting, Set, StageSet};
 
-/// A lamp from the character's right and little else: it shows relief. Designed, by eye.
+/// Returns a light from the character's right with little else, which shows relief. Designed, by
+/// eye.
 fn lamp() -> Lighting {
     let directed = |towards: [f64; 3], grey: f32| DirectedLight {
         towards_light_in_world: DVec3::from_array(towards).normalize(),
@@ -23,13 +24,13 @@ fn lamp() -> Lighting {
 /// The name of the lamp among the lights.
 const LAMP: &str = "side";
 
-/// The names of all lights.
+/// Returns the names of all lights of contact sheets.
 pub(crate) fn names() -> Vec<&'static str> {
     let presets = Lighting::PRESETS.iter().map(|(name, _)| *name);
     presets.chain([LAMP]).collect()
 }
 
-/// A light by its name.
+/// Returns a light by name; `None` for an unknown name.
 pub(crate) fn named(name: &str) -> Option<Lighting> {
     if name == LAMP {
         return Some(lamp());
@@ -37,7 +38,7 @@ pub(crate) fn named(name: &str) -> Option<Lighting> {
     Lighting::named(name)
 }
 
-/// A grey room.
+/// Returns the set used for contact sheets, a grey studio.
 pub(crate) fn room() -> Set {
     Set::from_kind(StageSet::Studio)
 }

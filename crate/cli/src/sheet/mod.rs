@@ -23,7 +23,7 @@ pub(crate) use posture::PosedFigure;
 use tile::Style;
 pub(crate) use tile::Tile;
 
-/// Contents of a sheet.
+/// Part of a contact sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SheetPart {
     /// Everything.
@@ -48,9 +48,9 @@ pub(crate) enum SheetPart {
     Muscles,
     /// The fifteen visemes; not part of all.
     Visemes,
-    /// Every word of emotion, and fear at four strengths; not part of all.
+    /// All emotion words, and fear at four intensities; not included in `all`.
     Emotions,
-    /// One blink, frame by frame; not part of all.
+    /// One blink, frame by frame; not included in `all`.
     Blink,
     /// Head and shoulders, friendly; not part of all.
     Portrait,
@@ -65,7 +65,7 @@ pub(crate) enum SheetPart {
 /// Tiles that fit in a row.
 const COLUMNS: u32 = 5;
 
-/// The tiles of the requested parts, in the order of [`SheetPart`].
+/// Returns the tiles of the requested parts, in the order of [`SheetPart`].
 pub(crate) fn tiles(figure: &Figure, parts: &[SheetPart], light: Lighting) -> Vec<Tile> {
     let wanted = |part: SheetPart| {
         parts.contains(&part)
@@ -111,7 +111,7 @@ pub(crate) fn draw(
 /// Error message for too many tiles.
 const FULL: &str = "more tiles than the sheet has places for";
 
-/// Sheet to which tiles are added one after another.
+/// Contact sheet under construction, to which tiles are added one after another.
 pub(crate) struct ContactSheet {
     picture: Picture,
     layout: Layout,
@@ -185,20 +185,20 @@ impl ContactSheet {
         Ok(())
     }
 
-    /// The sheet.
+    /// Returns the finished image of the sheet.
     pub(crate) fn picture(self) -> Picture {
         self.picture
     }
 }
 
-/// View direction of a face.
+/// View direction of a face on a contact sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FaceView {
-    /// From the front.
+    /// View from the front.
     Front,
     /// Turned by 45°.
     ThreeQuarter,
-    /// From the side.
+    /// View from the side.
     Profile,
 }
 
@@ -207,7 +207,7 @@ pub(crate) fn faces(figure: &Figure, views: &[FaceView], caption: &str) -> Vec<T
     tile::faces(figure, views, caption)
 }
 
-/// Two lights of the room behind the figure, where the display's curve is straight.
+/// Two background intensities behind the figure, in the linear part of the display curve.
 const BEHIND: [f32; 2] = [0.15, 0.35];
 
 /// Computes a silhouette: the figure is where an image changes less than half as much as the

@@ -11,14 +11,14 @@ const DOT: u32 = 2;
 const PAPER: [u8; 4] = [28, 28, 30, 255];
 const INK: [u8; 4] = [232, 230, 224, 255];
 
-/// RGBA, rows from the top.
+/// RGBA image of a contact sheet; rows from the top.
 pub(crate) struct Picture {
     width: u32,
     height: u32,
     rgba: Vec<u8>,
 }
 
-/// Position of each tile, row after row.
+/// Layout of a contact sheet: the position of each tile, row after row, and the size.
 pub(crate) struct Layout {
     /// Upper left corner of each tile.
     pub(crate) places: Vec<(u32, u32)>,
@@ -62,7 +62,7 @@ impl Layout {
 }
 
 impl Picture {
-    /// Empty paper for a layout.
+    /// Creates an empty image for a layout.
     pub(crate) fn new(layout: &Layout) -> Self {
         let (width, height) = layout.size;
         Self {
@@ -72,12 +72,12 @@ impl Picture {
         }
     }
 
-    /// Width and height, pixels.
+    /// Returns width and height, pixels.
     pub(crate) fn size(&self) -> (u32, u32) {
         (self.width, self.height)
     }
 
-    /// The pixels.
+    /// Returns the RGBA pixels, row by row from the top.
     pub(crate) fn rgba(&self) -> &[u8] {
         &self.rgba
     }

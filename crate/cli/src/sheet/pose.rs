@@ -8,14 +8,14 @@ use raconteur_body::{Bone, Figure, HandShape};
 
 use super::posture::{PosedFigure, Posture};
 
-/// Pose of a displayed figure.
+/// Named pose of a figure for contact sheets and exports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PoseName {
-    /// As the figure was made.
+    /// Bind pose, in which the figure was made.
     Bind,
     /// Standing, arms hanging.
     Standing,
-    /// Both arms straight out, palms down.
+    /// Both arms stretched out sideways, palms down.
     ArmsOut,
     /// Both arms raised by 160°.
     ArmsRaised,
@@ -77,7 +77,7 @@ impl PoseName {
         posture
     }
 
-    /// The pose, solved.
+    /// Returns a figure in this pose, ready for rendering.
     pub(crate) fn posed(self, figure: &Figure) -> PosedFigure {
         if self == Self::Bind {
             return PosedFigure {

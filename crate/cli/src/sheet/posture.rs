@@ -6,18 +6,19 @@ use raconteur_body::skeleton::zero_frames;
 use raconteur_body::{Bone, Figure, HandShape, Pose, Skeleton};
 use raconteur_tissue::{FaceControls, Network};
 
-/// A pose being built, with the controls of its face.
+/// Builder of a pose for a contact sheet, with the controls of the face.
 pub(crate) struct Posture<'a> {
     figure: &'a Figure,
     pose: Pose,
     face: FaceControls,
 }
 
-/// Pose ready for rendering.
+/// Posed figure ready for rendering: joint transforms, morph weights and state of the facial
+/// tissue.
 pub(crate) struct PosedFigure {
     /// World from joint.
     pub(crate) world_from_joint: Vec<DAffine3>,
-    /// One for each of the figure's morphs.
+    /// Weights of the figure's morph targets, one each.
     pub(crate) morph_weights: Vec<f32>,
     /// Nodes of its face's tissue; empty if it has none.
     pub(crate) tissue: Vec<NodeState>,
@@ -99,7 +100,7 @@ impl<'a> Posture<'a> {
         self.face.upper_lid = [share; 2];
     }
 
-    /// The controls of the face.
+    /// Sets the controls of the face.
     pub(crate) fn face(&mut self, controls: FaceControls) {
         self.face = controls;
     }

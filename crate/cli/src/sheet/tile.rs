@@ -22,10 +22,10 @@ const OPEN: u8 = 4;
 const POINT: u8 = 19;
 const PINCH: u8 = 27;
 
-/// Rendering style of a view.
+/// Rendering style of a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
-    /// By the renderer, lit.
+    /// Lit rendering by the renderer.
     Lit,
     /// Edges of triangles.
     Wire,
@@ -33,7 +33,7 @@ pub(crate) enum Style {
     Silhouette,
 }
 
-/// One view.
+/// Tile of a contact sheet: posed figure, camera, light, style and caption.
 pub(crate) struct Tile {
     /// Caption.
     pub(crate) caption: String,
@@ -49,13 +49,13 @@ pub(crate) struct Tile {
     pub(crate) style: Style,
 }
 
-/// Makes tiles of one figure in one light.
+/// Builder of contact sheet tiles of one figure in one light.
 pub(super) struct Maker<'a> {
     figure: &'a Figure,
     lighting: Lighting,
 }
 
-/// The tiles of a part.
+/// Returns the tiles of one part of the sheet.
 pub(super) fn tiles(figure: &Figure, part: SheetPart, lighting: Lighting) -> Vec<Tile> {
     let maker = Maker { figure, lighting };
     match part {
@@ -79,7 +79,7 @@ pub(super) fn tiles(figure: &Figure, part: SheetPart, lighting: Lighting) -> Vec
     }
 }
 
-/// The face from some sides in the light of the studio.
+/// Returns tiles of the face from the given views, in studio light.
 pub(super) fn faces(figure: &Figure, views: &[FaceView], caption: &str) -> Vec<Tile> {
     let maker = Maker {
         figure,
@@ -117,7 +117,7 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// A head and its neck, in any posture.
+    /// Returns a tile of head and neck in any pose.
     pub(super) fn head(&self, caption: &str, posture: Posture<'_>) -> Tile {
         self.tile(caption, 1.0, posture, |at| {
             let d = at.pupils_m();
@@ -142,7 +142,8 @@ impl<'a> Maker<'a> {
         ])
     }
 
-    /// The head from several sides: caption and turn of the body, radians.
+    /// Returns tiles of the head from several sides; each view has a caption and a rotation of the
+    /// body, radians.
     fn turned(&self, views: &[(&str, f64)]) -> Vec<Tile> {
         views
             .iter()
@@ -201,7 +202,8 @@ impl<'a> Maker<'a> {
         .into()
     }
 
-    /// A raised hand before the studio's wall.
+    /// Returns a tile of a raised hand with a hand shape and palm orientation, in front of the
+    /// studio's wall.
     fn raised(&self, caption: &str, side: Side, shape: u8, palm: [f64; 3], yaw: f64) -> Tile {
         let posture = self.raised_posture(side, shape, palm);
         self.tile(caption, 1.0, posture, |at| {
@@ -353,7 +355,7 @@ impl<'a> Maker<'a> {
         ]
     }
 
-    /// Every muscle on both sides.
+    /// Returns a tile for every muscle, contracted on both sides.
     fn muscles(&self) -> Vec<Tile> {
         Muscle::all()
             .filter(|m| m.side() != Some(Side::Right))
@@ -400,7 +402,7 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// A face of which muscles are contracted, on both sides.
+/// Returns face controls with the given muscles contracted on both sides.
 fn contracted(muscles: &[(Muscle, f64)]) -> FaceControls {
     let mut controls = FaceControls::default();
     for (muscle, contraction) in muscles {

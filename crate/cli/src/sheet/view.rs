@@ -4,7 +4,7 @@ use raconteur_base::{DAffine3, DVec3, Side, ops};
 use raconteur_body::{Bone, Drive, Figure};
 use raconteur_stage::Camera;
 
-/// Points of a posed figure, world, metres.
+/// Landmarks of a posed figure at which cameras are aimed; world, metres.
 pub(crate) struct FigurePoints<'a> {
     figure: &'a Figure,
     world_from_joint: &'a [DAffine3],
@@ -45,27 +45,27 @@ impl<'a> FigurePoints<'a> {
         })
     }
 
-    /// Distance between the eyes, by which a face is measured.
+    /// Returns the distance between the eyes, metres, the scale of views of the face.
     pub(crate) fn pupils_m(&self) -> f64 {
         let [l, r] = self.eyes();
         l.distance(r)
             .max(0.5 * PUPILS_OF_STATURE * self.figure.skeleton.stature_m())
     }
 
-    /// Between the eyes.
+    /// Returns the point between the eyes, world, metres.
     pub(crate) fn between_eyes(&self) -> DVec3 {
         let [l, r] = self.eyes();
         l.midpoint(r)
     }
 
-    /// The middle of a hand.
+    /// Returns the centre of a hand, world, metres.
     pub(crate) fn hand(&self, side: Side) -> DVec3 {
         let wrist = self.bone(Bone::on(side, "wrist"));
         let knuckle = self.bone(Bone::on(side, "middle0"));
         wrist + (knuckle - wrist) * 1.05
     }
 
-    /// From wrist to knuckle, by which a hand is measured.
+    /// Returns the distance from wrist to knuckle, metres, the scale of views of a hand.
     pub(crate) fn palm_m(&self, side: Side) -> f64 {
         self.bone(Bone::on(side, "wrist"))
             .distance(self.bone(Bone::on(side, "middle0")))

@@ -112,7 +112,7 @@ impl Canvas {
         }
     }
 
-    /// The mean of the samples of each pixel as opaque RGBA.
+    /// Returns the opaque RGBA pixels, each the mean of its samples.
     fn rgba(&self) -> Vec<u8> {
         let (w, h) = (self.size.0 / FINER, self.size.1 / FINER);
         let mut out = Vec::with_capacity(4 * w * h);

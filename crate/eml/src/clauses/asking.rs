@@ -5,21 +5,21 @@ use crate::record::{record, words};
 words! {
     /// Answer type of a question.
     AskKind {
-        /// By one of its options.
+        /// Answered by choosing one of the options.
         Choice = "choice",
-        /// By all of its options that are right.
+        /// Answered by choosing all correct options.
         Several = "several",
-        /// By all of its options in their order.
+        /// Answered by putting all options in order.
         Order = "order",
-        /// By giving each option its partner.
+        /// Answered by matching each option with its partner.
         Match = "match",
         /// By text entered into gaps of the prompt.
         Gap = "gap",
-        /// By a number.
+        /// Answered by entering a number.
         Number = "number",
-        /// By pointing at a part of the figure.
+        /// Answered by pointing at a part of the figure.
         Point = "point",
-        /// By a text of one's own.
+        /// Answered by entering free text.
         Text = "text",
     }
 }
@@ -47,7 +47,7 @@ impl AskKind {
 record! {
     /// A possible answer, or a rule for accepted answers.
     AskOption = "option" {
-        /// Its name.
+        /// Name of the option, used in reactions and results.
         name: String = "name",
         /// Displayed text.
         text: String = "text",
@@ -57,7 +57,7 @@ record! {
         alt: Option<String> = "alt",
         /// True if it is a right answer.
         is_right: bool = "right",
-        /// Its right partner, of `match`.
+        /// Correct partner of the option, for questions of type `match`.
         partner: Option<String> = "partner",
         /// Accepted texts, for `gap` and `text`: separated by bars.
         accepts: Option<String> = "accepts",
@@ -71,7 +71,7 @@ record! {
         at: Option<String> = "at",
     }
     placed {
-        /// Its start tag.
+        /// Span of the start tag.
         span
     }
 }
@@ -79,7 +79,7 @@ record! {
 record! {
     /// A question without the reactions to its answers.
     Question = "ask" {
-        /// Its name.
+        /// Name of the question, used in conditions and results.
         name: String = "name",
         /// Answer type.
         kind: AskKind = "type",
@@ -127,7 +127,7 @@ record! {
 record! {
     /// The heading of a part of the story.
     Heading = "part" {
-        /// Its name.
+        /// Name of the part, used as the destination of a `goto`.
         name: String = "name",
         /// Displayed text.
         title: String = "title",
@@ -139,13 +139,13 @@ record! {
     Condition = "if" {
         /// The variable, the question, or `score`.
         name: String = "name",
-        /// It is this.
+        /// Value that the variable or answer must equal.
         is: Option<String> = "is",
-        /// It is not this.
+        /// Value that the variable or answer must not equal.
         not: Option<String> = "not",
-        /// It is a greater number than this.
+        /// Lower bound: the number must be greater.
         above: Option<f64> = "above",
-        /// It is a smaller number than this.
+        /// Upper bound: the number must be smaller.
         below: Option<f64> = "below",
     }
 }
@@ -163,7 +163,7 @@ record! {
     Assignment = "r:set" {
         /// The variable.
         name: String = "name",
-        /// Its value: a number, `true` or `false`, or any other text.
+        /// Value to assign: a number, `true` or `false`, or any other text.
         value: Option<String> = "value",
         /// Increment of its number, which begins at 0.
         by: Option<f64> = "by",

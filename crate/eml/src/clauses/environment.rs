@@ -37,7 +37,7 @@ words! {
 }
 
 impl PreferredHand {
-    /// Its side.
+    /// Returns the side of the body of the preferred hand.
     #[must_use]
     pub fn side(self) -> Side {
         match self {
@@ -68,17 +68,17 @@ record! {
         blinks: Option<f64> = "blinks",
         /// Amount of gaze aversion.
         gaze: Option<f64> = "gaze",
-        /// In which share of the raises the head tilts.
+        /// Share of head raises with a tilt to one side, 0 to 1.
         tilt_share: Option<f64> = "tilts",
-        /// At which share of the highest pitches the brows are raised.
+        /// Share of the highest pitches at which the brows are raised, 0 to 1.
         brow_share: Option<f64> = "browShare",
         /// Prominence from which a pitch is shown, semitones.
         pitch_threshold: Option<f64> = "pitchThreshold",
         /// Share of accents with a look at the listener.
         accent_glances: Option<f64> = "accentGlances",
-        /// The same of pauses between phrases.
+        /// Share of pauses between phrases with a look at the listener, 0 to 1.
         pause_glances: Option<f64> = "pauseGlances",
-        /// From which length on a pause is one for thinking, seconds.
+        /// Minimum length of a thinking pause, seconds.
         thinking_secs: Option<f64> = "thinkingPause",
         /// Share of such pauses in which thinking is visible.
         thinking_share: Option<f64> = "thinking",
@@ -88,7 +88,7 @@ record! {
         lick_secs: Option<f64> = "lickInterval",
         /// Influence of the loudness on the head's raises.
         head_by_loudness: Option<f64> = "headByLoudness",
-        /// The same for the brows.
+        /// Influence of the loudness on the brow raises, 0 to 1.
         brows_by_loudness: Option<f64> = "browsByLoudness",
     }
 }
@@ -102,7 +102,7 @@ words! {
         Fireside = "fireside",
         /// A lawn before a hedge.
         Garden = "garden",
-        /// Under the stars.
+        /// Night scene under the stars.
         Night = "night",
         /// A classroom.
         School = "school",
@@ -114,7 +114,7 @@ words! {
     Fidelity {
         /// Scaled so a face stays readable and nothing jumps.
         Stage = "stage",
-        /// As GEVH 3.5.4.2 has it.
+        /// Lights exactly as specified in GEVH 3.5.4.2.
         Thesis = "thesis",
     }
 }
@@ -242,7 +242,7 @@ words! {
 }
 
 words! {
-    /// In which space an expression is blended of the six basic ones.
+    /// Emotion space in which an expression is blended from the six basic ones.
     EmotionSpace {
         /// Activation, evaluation and power (F&H section 4.4.4).
         Sphere = "sphere",
@@ -264,7 +264,7 @@ record! {
         power: Option<f64> = "power",
         /// Space in which its expression is blended.
         space: EmotionSpace = "space",
-        /// Its potential, 0 to 10 (GEVH 3.5.4.1).
+        /// Potential (strength) of the emotion, 0 to 10 (GEVH 3.5.4.1).
         potential: f64 = "potential",
         /// Threshold subtracted from the potential, 0 to 10.
         threshold: f64 = "threshold",
@@ -290,13 +290,14 @@ words! {
         ExtremeCloseUp = "extremeCloseUp",
         /// The face.
         CloseUp = "closeUp",
-        /// From the waist up.
+        /// Medium shot: the figure from the waist up.
         Medium = "medium",
         /// The whole figure.
         Full = "full",
         /// The figure and its surroundings.
         Long = "long",
-        /// From the waist up with the eyes on the upper third; wider while a gesture needs it.
+        /// Figure from the waist up with the eyes on the upper third; wider while a gesture needs
+        /// more space.
         Storyteller = "storyteller",
     }
 }
@@ -306,9 +307,9 @@ words! {
     CameraAngle {
         /// At the height of its target.
         Eye = "eye",
-        /// From above.
+        /// High angle: the camera looks down.
         High = "high",
-        /// From below.
+        /// Low angle: the camera looks up.
         Low = "low",
     }
 }
@@ -362,7 +363,7 @@ record! {
         valence: Option<Valence> = "valence",
         /// A file next to the story.
         file: Option<String> = "file",
-        /// Its volume, 1 as recorded.
+        /// Volume of the music, 1 as recorded.
         volume: f64 = "volume",
         /// Cross-fade time with the previous music, seconds.
         fade_secs: f64 = "fade",

@@ -2,7 +2,7 @@
 
 use crate::record::{Field, Value, record};
 
-/// The value of an argument.
+/// Value of a function argument: a number or a text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ArgValue {
     /// A number.
@@ -37,9 +37,9 @@ impl Field for ArgValue {
 record! {
     /// An argument of a function.
     Arg = "arg" {
-        /// Its name.
+        /// Name of the argument.
         name: String = "name",
-        /// Its value.
+        /// Value of the argument.
         value: ArgValue = "value",
     }
 }
@@ -54,7 +54,7 @@ record! {
 }
 
 impl FunctionArgs {
-    /// The number that an argument is.
+    /// Returns the number given by an argument; `None` if it is absent or a text.
     #[must_use]
     pub fn number(&self, name: &str) -> Option<f64> {
         self.args
@@ -67,7 +67,7 @@ impl FunctionArgs {
             })
     }
 
-    /// The period in seconds, at least 0.
+    /// Returns the period of the function, seconds, at least 0; 0 if it is not given.
     #[must_use]
     pub fn period_secs(&self) -> f64 {
         self.number("timePeriod").unwrap_or(0.0).max(0.0)
@@ -83,7 +83,7 @@ record! {
         is_looping: bool = "isLooping",
     }
     children {
-        /// Its arguments.
+        /// Arguments of the function that describes the motion.
         args: Option<FunctionArgs>
     }
 }

@@ -21,7 +21,7 @@ words! {
         Body = "body",
         /// The bones.
         Bones = "bones",
-        /// Both.
+        /// Body and bones.
         Both = "both",
     }
 }

@@ -7,13 +7,13 @@ use crate::record::{Record, Visit, record, words};
 words! {
     /// A limb, or the head, as a manipulator.
     Manipulator {
-        /// From the left shoulder to the wrist.
+        /// Arm from the left shoulder to the wrist.
         LeftArm = "leftArm",
-        /// From the right shoulder to the wrist.
+        /// Arm from the right shoulder to the wrist.
         RightArm = "rightArm",
-        /// From the left hip to the ankle.
+        /// Leg from the left hip to the ankle.
         LeftLeg = "leftLeg",
-        /// From the right hip to the ankle.
+        /// Leg from the right hip to the ankle.
         RightLeg = "rightLeg",
         /// The neck and the head.
         Head = "head",
@@ -49,10 +49,10 @@ pub const MAX_COORDINATE: f64 = 1e5;
 /// The names of the joint attributes.
 pub(crate) const JOINTS: [&str; 6] = ["j1", "j2", "j3", "j4", "j5", "j6"];
 
-/// Sets the joints of a manipulator (GEVH D.3.20).
+/// Clause that sets joint angles of a limb (GEVH D.3.20).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ForwardKinematics {
-    /// Manipulator to set.
+    /// Limb, or the head, whose joints are set.
     pub manipulator: Manipulator,
     /// Number of joints declared in the document; none: the number of angles given.
     pub joint_count: Option<u32>,
@@ -109,7 +109,7 @@ impl Record for ForwardKinematics {
     }
 }
 
-/// Target of the end of a limb.
+/// Target of a limb's end: position in skeleton units and orientation in degrees.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Target {
     /// Position in skeleton units.
@@ -132,16 +132,16 @@ impl Target {
     }
 }
 
-/// Moves the end of a limb to a target, interpolating its joints (GEVH D.3.21).
+/// Clause that moves the end of a limb to a target by interpolating the joint angles (GEVH D.3.21).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct JointInterpolation {
-    /// Limb to move.
+    /// Limb, or the head, that the clause moves.
     pub manipulator: Manipulator,
     /// Duration in seconds. Takes precedence when both are given.
     pub static_time_secs: Option<f64>,
     /// Turn rate of the joints, radians per second.
     pub static_velocity_rad_per_s: Option<f64>,
-    /// Destination.
+    /// Destination of the limb's end.
     pub target: Target,
 }
 
@@ -158,14 +158,14 @@ impl Record for JointInterpolation {
     }
 }
 
-/// Moves the end of a limb to a target in a straight line (GEVH D.3.22).
+/// Clause that moves the end of a limb to a target in a straight line (GEVH D.3.22).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FrameInterpolation {
-    /// Limb to move.
+    /// Limb, or the head, that the clause moves.
     pub manipulator: Manipulator,
-    /// Duration in seconds.
+    /// Duration of the motion, seconds.
     pub period_secs: f64,
-    /// Destination.
+    /// Destination of the limb's end.
     pub target: Target,
 }
 
@@ -192,19 +192,20 @@ record! {
         is_looping: bool = "isLooping",
     }
     children {
-        /// Its arguments.
+        /// Arguments of the function along which the limb moves.
         args: Option<FunctionArgs>
     }
 }
 
-/// Moves the end of a limb by inverse velocity (GEVH D.3.24).
+/// Clause that moves the end of a limb by inverse velocity, towards a target or with a given
+/// velocity (GEVH D.3.24).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Jacobian {
-    /// Limb to move.
+    /// Limb, or the head, that the clause moves.
     pub manipulator: Manipulator,
     /// True to move to the target; false to move at the velocities.
     pub is_static_target: bool,
-    /// Destination.
+    /// Destination of the limb's end.
     pub target: Target,
     /// Velocity in units a second.
     pub velocity: [f64; 3],

@@ -8,7 +8,7 @@ record! {
     SetControlParameter = "body-set-control-parameter" {
         /// Parameter, such as `Disgust`.
         parameter: String = "parameterId",
-        /// Its value, 0 to 1.
+        /// Value to set, 0 to 1.
         value: f64 = "value",
     }
 }
@@ -18,11 +18,11 @@ record! {
     AdsrControlParameter = "body-animate-ADSR-control-parameter" {
         /// Parameter to animate.
         parameter: String = "parameterId",
-        /// From the value before to the attack value, seconds.
+        /// Duration of the attack, from the previous value to the attack value, seconds.
         attack_secs: f64 = "attackDurationTime",
         /// The value at the end of the attack.
         attack_value: f64 = "attackValue",
-        /// From there to the decay value, seconds.
+        /// Duration of the decay, from the attack value to the decay value, seconds.
         decay_secs: f64 = "decayDurationTime",
         /// The value at the end of the decay.
         decay_value: f64 = "decayValue",
@@ -30,7 +30,7 @@ record! {
         sustain_secs: f64 = "sustainDurationTime",
         /// Sustain value; none: the decay value.
         sustain_value: Option<f64> = "sustainValue",
-        /// From there to the release value, seconds.
+        /// Duration of the release, from the sustain value to the release value, seconds.
         release_secs: f64 = "releaseDurationTime",
         /// The value at the end.
         release_value: f64 = "releaseValue",
@@ -40,7 +40,7 @@ record! {
 record! {
     /// Loads an animation of control parameters into the library (GEVH D.3.29).
     LoadControlParameterAnimation = "body-load-control-parameter-animation" {
-        /// Its file, relative.
+        /// Path of the animation file, relative to the story or the library.
         file: String = "file",
         /// True if the file is in the library instead of next to the story.
         is_resources_relative: bool = "isResourcesRelative",
@@ -48,11 +48,11 @@ record! {
 }
 
 words! {
-    /// In which direction an animation plays.
+    /// Direction in which an animation of control parameters plays.
     Style {
-        /// From its start to its end.
+        /// Plays from start to end.
         Forward = "forward",
-        /// From its end to its start.
+        /// Plays from end to start.
         Reverse = "reverse",
         /// Forward, then back.
         PingPong = "pingPong",
@@ -66,7 +66,7 @@ record! {
     AnimateControlParameter = "body-animate-control-parameter" {
         /// Animation to play.
         animation: String = "animationId",
-        /// In which direction.
+        /// Direction of playback.
         style: Style = "style",
         /// Factor for its values.
         gain: f64 = "value",

@@ -8,7 +8,7 @@ words! {
     PlayerKind {
         /// Keyframe animations in layers.
         Multiple = "multiple",
-        /// One animation for each body group.
+        /// One animation for each body group, such as head or left arm.
         BodyGroup = "bodyGroup",
         /// Poses (GEVH 3.2.3).
         Pose = "pose",
@@ -108,7 +108,7 @@ words! {
 words! {
     /// Transition of a property to its new value.
     Transition {
-        /// At constant pace.
+        /// Constant rate of change.
         Linear = "linear",
     }
 }
@@ -118,13 +118,13 @@ record! {
     DeterministicTrackProperty = "body-configure-deterministic-track-property" {
         /// Property to set.
         property: TrackProperty = "property",
-        /// Its new value; 0 or 1 for [`TrackProperty::Enable`].
+        /// New value of the property; 0 or 1 for [`TrackProperty::Enable`].
         new_value: f64 = "newValue",
         /// Player; none: the first one.
         player: Option<String> = "player",
         /// Length of the transition in seconds.
         duration_secs: f64 = "duration",
-        /// Its course.
+        /// Interpolation of the property during the transition.
         transition: Transition = "transition",
     }
     children {
@@ -150,9 +150,9 @@ words! {
 words! {
     /// Playback mode of an animation (GEVH D.3.18).
     PlaybackStyle {
-        /// Over and over.
+        /// Repeats forwards without end.
         Loop = "loop",
-        /// Over and over backwards.
+        /// Repeats backwards without end.
         LoopReverse = "loopReverse",
         /// Forwards and backwards in turn.
         PingPong = "pingPong",
@@ -177,16 +177,16 @@ record! {
     }
 }
 
-/// Operates on the stack of animations of a player (GEVH D.3.17).
+/// Clause that changes the stack of animations on tracks of a player (GEVH D.3.17).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DeterministicPrimitive {
-    /// Stack operation.
+    /// Operation on the stack: push, exchange, pop or clear.
     pub primitive: PrimitiveKind,
     /// Player; none: the first one.
     pub player: Option<String>,
     /// The animation, for push and exchange.
     pub animation: Option<String>,
-    /// Tracks; none: all.
+    /// Tracks that the operation affects; `None` means all.
     pub tracks: Option<Tracks>,
     /// Playback style; none: in a loop.
     pub style: Option<AnimationStyle>,

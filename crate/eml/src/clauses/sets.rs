@@ -91,16 +91,16 @@ words! {
     }
 }
 
-/// A named set of tracks (GEVH D.3.3).
+/// Named set of tracks that clauses refer to (GEVH D.3.3).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Set {
-    /// Its name.
+    /// Name of the set.
     pub name: String,
     /// Kind of its members.
     pub kind: SetKind,
-    /// Its members, in order: [`MemberKind::Item`] and [`MemberKind::Set`].
+    /// Members of the set in order, [`MemberKind::Item`] and [`MemberKind::Set`].
     pub members: Vec<Member>,
-    /// The start tag.
+    /// Span of the start tag.
     pub span: Span,
 }
 
@@ -116,7 +116,7 @@ impl Record for Set {
     }
 }
 
-/// Kind of a [`Member`].
+/// Kind of a [`Member`]: item, set, group, layer or bone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MemberKind {
     /// `it`: a body group or a layer of a set.
@@ -140,19 +140,19 @@ impl MemberKind {
         ("bone", Self::Bone),
     ];
 
-    /// The name of its element.
+    /// Returns the name of the EML element for this kind of member.
     #[must_use]
     pub fn element(self) -> &'static str {
         Self::ELEMENTS[self as usize].0
     }
 }
 
-/// A member of a set, a list of tracks or a list of bones.
+/// Member of a set, a list of tracks or a list of bones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Member {
     /// Kind of the member.
     pub kind: MemberKind,
-    /// Its name; the number of a layer as digits; a bone without its `bone_`.
+    /// Name of the member; digits for a layer, a bone name without `bone_`.
     pub name: String,
 }
 

@@ -4,10 +4,11 @@
 use crate::Span;
 use crate::record::{Field, Record, Value, Visit, record, words};
 
-/// A property of speech: a word of SABLE's, a change in percent, or a number.
+/// Level of a speech property such as pitch or rate: a SABLE word, a change in percent, or a
+/// number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Level {
-    /// One of the words that the attribute allows.
+    /// One of the level words that the attribute allows.
     Word(&'static str),
     /// A change of the enclosing value in percent.
     Percent(f64),
@@ -74,9 +75,9 @@ record! {
 record! {
     /// Specifies the pronunciation of text (GEVH D.4.10).
     Pron = "pron" {
-        /// In the International Phonetic Alphabet.
+        /// Pronunciation in the International Phonetic Alphabet.
         ipa: Option<String> = "ipa",
-        /// In a spelling that sounds like it.
+        /// Pronunciation as a spelling that sounds alike.
         sub: Option<String> = "sub",
         /// Language of the text's origin.
         origin: Option<String> = "origin",
@@ -192,11 +193,11 @@ words! {
     Age {
         /// Old.
         Older = "older",
-        /// In the middle of life.
+        /// Middle-aged speaker.
         Middle = "middle",
         /// Young.
         Younger = "younger",
-        /// Half grown.
+        /// Teenage speaker.
         Teen = "teen",
         /// A child.
         Child = "child",
@@ -215,7 +216,7 @@ record! {
     }
 }
 
-/// Effect of a container on the speech in it.
+/// SABLE container in speech, with its effect on the enclosed text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Markup {
     /// Emphasises it.
@@ -239,7 +240,7 @@ pub enum Markup {
 }
 
 impl Markup {
-    /// The name of the element.
+    /// Returns the name of the container element.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -283,11 +284,11 @@ words! {
 record! {
     /// Plays a recording (GEVH D.4.4).
     Audio = "audio" {
-        /// Its address.
+        /// Address (URL or path) of the recording.
         src: String = "src",
         /// Mixing with the speech.
         mode: AudioMode = "mode",
-        /// Its volume, 1 as recorded.
+        /// Volume of the recording, 1 as recorded.
         level: f64 = "level",
     }
 }
@@ -295,13 +296,13 @@ record! {
 words! {
     /// Punctuation mark whose intonation precedes a pause.
     Boundary {
-        /// As after a question.
+        /// Intonation that ends a question.
         Question = "?",
-        /// As after an exclamation.
+        /// Intonation that ends an exclamation.
         Exclamation = "!",
-        /// As after a statement.
+        /// Intonation that ends a statement.
         Statement = ".",
-        /// As when more is coming.
+        /// Intonation that announces a continuation.
         Comma = ",",
     }
 }
@@ -334,10 +335,10 @@ words! {
     }
 }
 
-/// Speaks a text or a file without time markers (GEVH D.4.2, D.4.14).
+/// Clause that speaks a text or a file without time markers (GEVH D.4.2, D.4.14).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VoiceSay {
-    /// Operation.
+    /// Operation on the queue of utterances.
     pub operation: VoiceOperation,
     /// Format of the text or file.
     pub kind: UtteranceKind,

@@ -52,12 +52,12 @@ pub(crate) fn character(name: &str, span: Span, sink: &mut Sink) -> Option<char>
     None
 }
 
-/// XML 1.0's `Char` production below the surrogates' gap.
+/// Returns true if a character below the surrogates matches XML 1.0's `Char` production.
 fn is_xml_character(c: char) -> bool {
     !c.is_control() || matches!(c, '\t' | '\n' | '\r' | '\u{85}')
 }
 
-/// The value of an attribute with its references resolved.
+/// Returns an attribute's value with its character and entity references resolved.
 pub(crate) fn resolve<'a>(attribute: &Attribute<'a>, sink: &mut Sink) -> Cow<'a, str> {
     if attribute.is_plain {
         Cow::Borrowed(attribute.value)

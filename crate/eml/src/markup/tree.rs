@@ -3,10 +3,10 @@
 
 use crate::Span;
 
-/// A document's markup.
+/// Flat markup tree of a document: nodes in document order, and their attributes.
 #[derive(Debug)]
 pub(crate) struct Tree<'a, E> {
-    /// Every node before its descendants.
+    /// Nodes in document order, each before its descendants.
     pub(crate) nodes: Vec<Node<'a, E>>,
     /// The attributes of all elements, those of one element together.
     pub(crate) attributes: Vec<Attribute<'a>>,
@@ -25,7 +25,7 @@ impl<E> Default for Tree<'_, E> {
 }
 
 impl<'a, E> Tree<'a, E> {
-    /// The attributes of a node.
+    /// Returns the attributes of a node.
     pub(crate) fn attributes_of(&self, node: usize) -> &[Attribute<'a>] {
         let node = &self.nodes[node];
         let start = node.first_attribute as usize;
@@ -33,7 +33,7 @@ impl<'a, E> Tree<'a, E> {
     }
 }
 
-/// An element or a run of text.
+/// Node of the markup tree: an element or a run of text.
 #[derive(Debug)]
 pub(crate) struct Node<'a, E> {
     /// Kind of the node.
@@ -52,7 +52,7 @@ pub(crate) struct Node<'a, E> {
     pub(crate) attribute_count: u16,
 }
 
-/// Kind of a node.
+/// Kind of a node: known or unknown element, malformed markup, text or reference.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum NodeKind<E> {
     /// An element, with its entry in the schema when it has one.
@@ -61,16 +61,16 @@ pub(crate) enum NodeKind<E> {
     Malformed,
     /// Characters verbatim from the source.
     Text,
-    /// One resolved character reference.
+    /// Character from a resolved character reference.
     Reference(char),
 }
 
-/// An attribute as written.
+/// Attribute as written in a start tag.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Attribute<'a> {
-    /// Its name.
+    /// Name of the attribute.
     pub(crate) name: &'a str,
-    /// Its value between the quotes, references unresolved.
+    /// Value between the quotes, with references unresolved.
     pub(crate) value: &'a str,
     /// Offset of the name.
     pub(crate) name_start: u32,

@@ -32,9 +32,9 @@ const SMALL: &str = "a an and are as at be been but by can could did do does for
     quando que quem são se sem ser seu seus sobre sua suas também tem tenho ter teu teus tinha toda \
     todas todo todos tua tudo uma umas você vocês";
 
-/// Text of a sentence with gesture markers, and its gestures.
+/// Markup of a sentence with gesture markers, and the gestures timed by them.
 pub(super) struct GesturedSentence {
-    pub(super) said: String,
+    pub(super) text: String,
     pub(super) gestures: String,
 }
 
@@ -50,8 +50,8 @@ fn bare(word: &str) -> String {
     kept.collect::<String>().to_lowercase()
 }
 
-/// The sentence that is the `index`th: greetings are waved, and a beat falls on stressed and long
-/// words.
+/// Returns the `index`th sentence with gestures: a wave at greetings, and beats on stressed and
+/// long words.
 pub(super) fn performed(sentence: &Sentence, index: usize) -> GesturedSentence {
     let is_first = index == 0;
     let mut since = if is_first { 0 } else { BETWEEN_BEATS };
@@ -78,7 +78,7 @@ pub(super) fn performed(sentence: &Sentence, index: usize) -> GesturedSentence {
         said.push(text);
     }
     GesturedSentence {
-        said: said.join(" "),
+        text: said.join(" "),
         gestures,
     }
 }
@@ -91,14 +91,14 @@ struct Motion {
     path: [[f64; 4]; 2],
 }
 
-/// One hand is raised, open.
+/// Gesture of a wave: one open hand is raised.
 const WAVE: Motion = Motion {
     hand: "right",
     shape: 7,
     palm: [120.0, 0.0, 0.0, -1.0],
     path: [[0.0, -7.0, 42.0, 3.0], [0.15, -13.0, 40.0, 3.0]],
 };
-/// Both hands go down a little, half open.
+/// Beat gesture: both half-open hands move down a little.
 const BEAT: Motion = Motion {
     hand: "both",
     shape: 4,

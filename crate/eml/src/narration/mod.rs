@@ -25,7 +25,7 @@ const BEGINS: &str = "0.15";
 const SENTENCE_GAP: &str = "0.35s";
 const PHRASE_GAP: &str = "0.05s";
 
-/// Options for narrating a text.
+/// Options for converting plain text to a script: language, division into phrases and length limit.
 #[derive(Clone, Copy, Debug)]
 pub struct NarrationOptions<'a> {
     /// The text's, a tag of BCP 47.
@@ -34,22 +34,22 @@ pub struct NarrationOptions<'a> {
     /// phrase.
     pub is_phrased: bool,
     /// Maximum length of the narrated text, in characters.
-    pub most: usize,
+    pub max_chars: usize,
 }
 
-/// A fragment, and the emotion at its end.
+/// EML fragment for a part of a text, and the emotion at its end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NarratedFragment {
     /// Clauses of EML in a script of their own.
     pub fragment: String,
     /// A word of emotion.
-    pub feels: String,
+    pub emotion: String,
 }
 
 /// Returns the script that narrates a text, in its canonical form; `None` if it has no word.
 #[must_use]
 pub fn narrate(text: &str, telling: &NarrationOptions<'_>) -> Option<String> {
-    let head: String = text.chars().take(telling.most).collect();
+    let head: String = text.chars().take(telling.max_chars).collect();
     let mut all = sentences(&head, telling.language);
     if telling.is_phrased {
         all = all.iter().flat_map(phrases).collect();
@@ -69,7 +69,7 @@ pub fn continue_narration(text: &str, language: &str, felt: &str) -> Option<Narr
     let (clauses, feels) = clauses_of(&all, "0", felt)?;
     Some(NarratedFragment {
         fragment: script("", &clauses),
-        feels,
+        emotion: feels,
     })
 }
 
@@ -115,10 +115,10 @@ fn clauses_of(all: &[Sentence], begins: &str, felt: &str) -> Option<(String, Str
         out += &format!(
             "<voice-text time='{before}' timeId='v{i}'><div type='sentence'>{}</div><tm \
              name='e{i}'/></voice-text>",
-            performed.said
+            performed.text
         );
         out += &performed.gestures;
-        let gap = if sentence.goes_on {
+        let gap = if sentence.continues {
             PHRASE_GAP
         } else {
             SENTENCE_GAP
@@ -137,7 +137,7 @@ mod tests {
         let telling = NarrationOptions {
             language: "en",
             is_phrased: false,
-            most: 600,
+            max_chars: 600,
         };
         let script = narrate(text, &telling).unwrap_or_default();
         let parsed = crate::parse(&script);
@@ -224,7 +224,7 @@ mod tests {
         let telling = NarrationOptions {
             language: "en",
             is_phrased: true,
-            most: 600,
+            max_chars: 600,
         };
         let script = narrate(text, &telling).expect("words");
         assert_eq!(count(&script, "<voice-text"), 3, "{script}");

@@ -15,23 +15,23 @@ use crate::{Span, TextSegment, VoiceText};
 const MIN_WORDS: usize = 4;
 const MAX_WORDS: usize = 12;
 
-/// A word of a sentence.
+/// Word of a sentence, with its stress.
 #[derive(Clone, Debug)]
 pub(super) struct SpokenWord {
-    /// With its punctuation and the signs on their own that belong to it.
+    /// Text of the word with its punctuation and adjacent free-standing signs.
     pub(super) text: String,
     /// True if emphasised: in capitals among words that are not.
     pub(super) is_stressed: bool,
 }
 
-/// Text spoken in one clause.
+/// Sentence or phrase that is spoken in one clause, with its emotion.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sentence {
     pub(super) words: Vec<SpokenWord>,
     /// Emotion word given by an emoticon.
     pub(super) emotion: Option<&'static str>,
-    /// More of the same sentence follows.
-    pub(super) goes_on: bool,
+    /// True if more of the same sentence follows.
+    pub(super) continues: bool,
 }
 
 /// Words, signs on their own and emoticons of a line, as EML has them.
@@ -125,8 +125,8 @@ fn of_line(line: &str, language: Option<Language>) -> Vec<Sentence> {
     all
 }
 
-/// The phrases of a sentence, which end at commas and the like, or where it becomes long: there
-/// between ordinary words, since numbers, capitals and abbreviations are read together.
+/// Splits a sentence into phrases, at commas and similar marks, or between ordinary words where it
+/// becomes long, since numbers, capitals and abbreviations are read together.
 pub(super) fn phrases(sentence: &Sentence) -> Vec<Sentence> {
     let words = &sentence.words;
     let is_ordinary = |word: &SpokenWord| word.text.chars().all(|c| c.is_lowercase() || c == '\'');
@@ -148,7 +148,7 @@ pub(super) fn phrases(sentence: &Sentence) -> Vec<Sentence> {
         out.push(Sentence {
             words: words[from..to].to_vec(),
             emotion: sentence.emotion,
-            goes_on: to < words.len(),
+            continues: to < words.len(),
         });
         from = to;
     }

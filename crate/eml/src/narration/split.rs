@@ -10,10 +10,10 @@ const MAX_CLAUSE_CHARS: usize = 240;
 /// Minimum number of words in a clause ended by a comma or dash.
 const ENOUGH_WORDS: usize = 5;
 
-/// A text in clauses; clauses and rest together are the text.
+/// Text split into complete clauses and a rest; together they are the whole text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ClauseSplit<'t> {
-    /// Those that are whole.
+    /// Complete clauses.
     pub clauses: Vec<&'t str>,
     /// Remainder that may continue.
     pub rest: &'t str,

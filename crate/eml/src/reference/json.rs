@@ -3,7 +3,8 @@
 use super::display_name;
 use crate::schema::{Attribute, Content, ELEMENTS, Element, Kind, Presence};
 
-/// The language as JSON: `{"namespace", "prefix", "elements": [...], "diagnostics": [...]}`.
+/// Returns the language as JSON for editors: `{"namespace", "prefix", "elements": [...],
+/// "diagnostics": [...]}`.
 #[must_use]
 pub fn json() -> String {
     let elements: Vec<String> = ELEMENTS.iter().map(|e| element(e)).collect();
@@ -68,7 +69,7 @@ fn element(element: &Element) -> String {
     if !element.one_of.is_empty() {
         fields.push(field("oneOf", &strings(element.one_of)));
     }
-    if let Some(most) = element.most_per_parent {
+    if let Some(most) = element.max_per_parent {
         fields.push(field("mostPerParent", &most.to_string()));
     }
     fields.push(field("example", &string(element.example)));
@@ -168,7 +169,7 @@ fn strings(texts: &[&str]) -> String {
     format!("[{}]", texts.join(", "))
 }
 
-/// A JSON string. The table has no control characters.
+/// Returns a JSON string literal. The table has no control characters.
 fn string(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }

@@ -16,7 +16,7 @@ const PARTS: [(&str, &[&str]); 5] = [
     ("Extensions", &["Extension"]),
 ];
 
-/// The reference page as Markdown.
+/// Returns the language reference page as Markdown.
 #[must_use]
 pub fn markdown() -> String {
     let mut out = START.to_owned();
@@ -72,7 +72,7 @@ fn section(out: &mut String, element: &Element) {
         let required = element.required_children.iter().map(|c| (*c).to_owned());
         let _ = write!(out, "; requires at least one {}", names(required));
     }
-    if let Some(most) = element.most_per_parent {
+    if let Some(most) = element.max_per_parent {
         let _ = write!(out, "; at most {most} per parent");
     }
     if !element.one_of.is_empty() {
@@ -119,7 +119,7 @@ fn table<'a>(out: &mut String, attributes: impl Iterator<Item = &'a Attribute>) 
             .map(|(alias, word)| format!(" `{alias}` is read as `{word}`."))
             .collect();
         let beside: String = attribute
-            .beside
+            .conditional_kinds
             .iter()
             .map(|b| format!(" With {}='{}': {}.", b.attribute, b.word, kind(b.kind)))
             .collect();

@@ -23,7 +23,8 @@ fn children_of(parent: &Element) -> impl Iterator<Item = &'static Element> + Clo
     })
 }
 
-/// Its name, with the prefix of our own documents when it is an extension.
+/// Returns the displayed name of an element or attribute, with the extension prefix if it is an
+/// extension.
 fn display_name(extension: bool, name: &str) -> String {
     if extension {
         format!("{}:{name}", crate::EXTENSIONS_PREFIX)
@@ -32,7 +33,7 @@ fn display_name(extension: bool, name: &str) -> String {
     }
 }
 
-/// A script around an example that is a clause.
+/// Returns a complete script around an example that is a single clause.
 #[must_use]
 pub fn whole_example(example: &str) -> String {
     if example.starts_with("<eml") {

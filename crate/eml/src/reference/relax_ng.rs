@@ -9,7 +9,7 @@ const NUMBER: &str = r"[+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+\-]?[0-9]+)?";
 /// A number of seconds, or one with a unit.
 const SECONDS: &str = r"\s*\+?\s*([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+\-]?[0-9]+)?\s*[smh]?\s*";
 
-/// The schema in RELAX NG's XML syntax.
+/// Returns the RELAX NG schema of EML in XML syntax, for validating editors.
 #[must_use]
 pub fn relax_ng() -> String {
     let mut out = Indented::default();
@@ -28,7 +28,7 @@ pub fn relax_ng() -> String {
     out.text
 }
 
-/// The name of the pattern of an element.
+/// Returns the name of the schema pattern of an element.
 fn pattern_of(element: &Element) -> String {
     let shared = ELEMENTS.iter().filter(|e| e.name == element.name).count() > 1;
     if shared {
@@ -61,7 +61,7 @@ fn define(out: &mut Indented, element: &Element) {
     out.close("define");
 }
 
-/// At least one of these attributes.
+/// Writes a choice that requires at least one of the named attributes.
 fn one_of(out: &mut Indented, element: &Element, names: &[&str]) {
     let find = |name: &str| element.attributes.iter().find(|a| a.name == name);
     if names.is_empty() {
@@ -152,7 +152,7 @@ fn content(out: &mut Indented, element: &Element) {
         }
         Content::Elements => {
             let free = |e: &Element| {
-                e.most_per_parent.is_none() && !element.required_children.contains(&e.name)
+                e.max_per_parent.is_none() && !element.required_children.contains(&e.name)
             };
             if children_of(element).all(free) {
                 any_of(out, element);
@@ -180,7 +180,7 @@ fn any_of(out: &mut Indented, element: &Element) {
 /// Writes the allowed number of a child in its parent.
 fn some_of(out: &mut Indented, child: &Element, required: bool) {
     let reference = format!("<ref name=\"{}\"/>", pattern_of(child));
-    let Some(most) = child.most_per_parent else {
+    let Some(most) = child.max_per_parent else {
         let pattern = if required { "oneOrMore" } else { "zeroOrMore" };
         out.open(pattern);
         out.line(&reference);

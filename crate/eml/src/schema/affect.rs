@@ -152,7 +152,8 @@ const FORMS: [(&str, &str); 22] = [
     ("anxious", "anxiety"),
 ];
 
-/// Meaning of an emotion word outside the table.
+/// Meaning of an emotion word that is not in the table: a synonym or a position on the
+/// activation-evaluation disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum WordMeaning {
     /// A word of the table.

@@ -12,7 +12,7 @@ pub(super) static ELEMENT: Element = Element {
     example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><body-deterministic-primitive time='0' primitive='push' animationSetName='nod'><animation-style playbackStyle='temporaryIterations' r:iterations='2'/></body-deterministic-primitive></body></eml>",
     ),
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     attributes: &[
         Attribute::choice("playbackStyle", PlaybackStyle::WORDS, "The playback style.").required(),
         Attribute::integer(

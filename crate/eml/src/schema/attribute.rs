@@ -2,10 +2,11 @@
 
 use crate::MAX_COORDINATE;
 
-/// An attribute of an element.
+/// Entry of the schema table for an attribute of an element: name, kind, default, unit and
+/// documentation.
 #[derive(Clone, Copy, Debug)]
 pub struct Attribute {
-    /// Its name.
+    /// Name of the attribute.
     pub name: &'static str,
     /// Other spellings that are accepted with a warning.
     pub aliases: &'static [&'static str],
@@ -14,7 +15,7 @@ pub struct Attribute {
     /// Other words for those of a choice, accepted with a warning.
     pub word_aliases: &'static [(&'static str, &'static str)],
     /// Kinds that replace `kind` when another attribute of the element has a given word.
-    pub beside: &'static [ConditionalKind],
+    pub conditional_kinds: &'static [ConditionalKind],
     /// Effect of its absence.
     pub default: Presence,
     /// Unit of its numbers; empty if there is none.
@@ -25,32 +26,32 @@ pub struct Attribute {
     pub doc: &'static str,
 }
 
-/// Kind of an attribute's value when another attribute has a given word.
+/// Alternative kind of an attribute's value that applies if another attribute has a given word.
 #[derive(Clone, Copy, Debug)]
 pub struct ConditionalKind {
     /// The other attribute, a choice.
     pub attribute: &'static str,
-    /// Its word.
+    /// Word of the other attribute that selects the kind.
     pub word: &'static str,
     /// Kind in that case.
     pub kind: Kind,
 }
 
-/// Effect of the absence of an attribute.
+/// Presence of an attribute: required, optional or with a default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Presence {
-    /// It must be there, or the element is dropped.
+    /// Required; the element is dropped without it.
     Required,
     /// No default value.
     Optional,
-    /// This value.
+    /// Optional with this default value.
     Default(&'static str),
 }
 
-/// Kind of an attribute's value.
+/// Kind of an attribute's value, with its range; drives parsing, checks and documentation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
-    /// Any text.
+    /// Arbitrary text.
     Text,
     /// A name that time expressions can use.
     Name,
@@ -85,7 +86,7 @@ pub enum Kind {
     Time,
     /// An offset in a gesture: seconds, or percent of its duration.
     KeyTime,
-    /// One of these words, in any case.
+    /// One of these words, case-insensitive.
     Choice(&'static [&'static str]),
     /// A number, one of these words, or a change in percent with its sign.
     Level {
@@ -110,14 +111,14 @@ pub enum Kind {
 pub(crate) const MAX_NUMBER: f64 = 1e6;
 
 impl Attribute {
-    /// An optional attribute of a kind.
+    /// Creates an optional attribute of a kind.
     pub(super) const fn new(name: &'static str, kind: Kind, doc: &'static str) -> Self {
         Self {
             name,
             aliases: &[],
             kind,
             word_aliases: &[],
-            beside: &[],
+            conditional_kinds: &[],
             default: Presence::Optional,
             unit: "",
             extension: false,
@@ -227,7 +228,7 @@ impl Attribute {
         mut self,
         kinds: &'static [ConditionalKind],
     ) -> Self {
-        self.beside = kinds;
+        self.conditional_kinds = kinds;
         self
     }
 

@@ -9,7 +9,7 @@ pub(super) static ELEMENT: Element = Element {
     source: super::reference_text("GEVH D.1.3"),
     example: super::reference_text("<eml><body><null time='2'/></body></eml>"),
     content: Content::Elements,
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     ..Element::new("body", &["eml"], Role::Structure)
 };
 

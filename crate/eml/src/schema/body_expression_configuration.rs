@@ -9,7 +9,7 @@ pub(super) static ELEMENT: Element = Element {
         "<eml><head><body-expression-configuration/></head><body><null time='1'/></body></eml>",
     ),
     content: Content::Elements,
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     ..Element::part("body-expression-configuration", &["head"])
 };
 

@@ -10,7 +10,7 @@ pub(super) static ELEMENT: Element = Element {
         "<body-player-add time='0' name='p' type='pose'><bones><bg name='left_arm'/><bone name='skull'/></bones></body-player-add>",
     ),
     content: Content::Elements,
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     ..Element::part("bones", &["body-player-add", "body-player-set-exclusive"])
 };
 

@@ -70,7 +70,7 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
     });
 }
 
-/// A numeric level: 0 to 3 between the named ones.
+/// Returns the pause for a numeric level, interpolated between the named levels 0 to 3.
 fn interpolated(level: f64) -> f64 {
     let level = level.clamp(0.0, 3.0);
     let below = (level as usize).min(2);

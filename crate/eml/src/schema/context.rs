@@ -16,15 +16,16 @@ use crate::work::step;
 use crate::{Diagnostic, Document, Limits, Span};
 use std::cell::Cell;
 
-/// More attributes than any element has.
+/// Upper bound of the number of attributes of any element.
 pub(super) const MAX_ATTRIBUTES: usize = 24;
 
-/// More kinds of children than any element requires.
+/// Upper bound of the number of required child kinds of any element.
 pub(super) const MAX_REQUIRED: usize = 4;
 
 const ABSENT: u16 = u16::MAX;
 
-/// Context of the elements' readers.
+/// Parsing context passed to the functions that read elements: tree, diagnostics, document and
+/// limits.
 pub(crate) struct Context<'t> {
     pub(crate) tree: &'t Tree<'t>,
     pub(crate) sink: &'t mut Sink,
@@ -34,7 +35,7 @@ pub(crate) struct Context<'t> {
     pub(crate) source_bytes: usize,
     pub(crate) namespaces: &'t Namespaces<'t>,
     /// True if the limit of clauses has been reported.
-    pub(crate) told_clauses: bool,
+    pub(crate) reported_clauses: bool,
     /// True if the text is read for a performance in progress.
     pub(crate) is_fragment: bool,
     /// Activation and evaluation of an emotion whose word has only a place, while its element is
@@ -43,13 +44,13 @@ pub(crate) struct Context<'t> {
 }
 
 impl<'t> Context<'t> {
-    /// The whole span of a node, end tag included.
+    /// Returns the span of a node including its end tag.
     pub(crate) fn full_span(&self, node: usize) -> Span {
         let node = &self.tree.nodes[node];
         Span::new(node.span.start, node.end)
     }
 
-    /// The name in the start tag of a node.
+    /// Returns the span of the name in a node's start tag.
     pub(crate) fn name_span(&self, node: usize) -> Span {
         let node = &self.tree.nodes[node];
         let start = node.span.start as usize + 1;
@@ -70,7 +71,8 @@ impl<'t> Context<'t> {
         }
     }
 
-    /// [`Context::children`] for an element that may have had some children before.
+    /// Visits the children of an element, see [`Context::children`], with counts that may include
+    /// earlier children.
     pub(crate) fn children_counted(
         &mut self,
         node: usize,
@@ -110,7 +112,7 @@ impl<'t> Context<'t> {
             tally.missing -= usize::from(!std::mem::replace(&mut tally.seen[i], true));
         }
         if entry
-            .most_per_parent
+            .max_per_parent
             .is_some_and(|most| tally.count(entry) > most)
         {
             self.surplus(child, entry, tally.parent);
@@ -311,8 +313,7 @@ impl<'t> Context<'t> {
         fields
     }
 
-    /// The slot of an attribute that has a prefix, or is written with another case or as an
-    /// alias.
+    /// Returns the slot of an attribute written with a prefix, in another case or as an alias.
     fn slot_by_spelling(
         &mut self,
         node: usize,
@@ -386,7 +387,7 @@ impl<'t> Context<'t> {
     }
 
     fn surplus(&mut self, child: usize, entry: &Element, parent: &Element) {
-        let most = entry.most_per_parent.unwrap_or(0);
+        let most = entry.max_per_parent.unwrap_or(0);
         let message = format!(
             "more than {most} `{}` in one `{}`; this one is dropped",
             entry.name, parent.name
@@ -422,7 +423,7 @@ impl<'t> Context<'t> {
     }
 }
 
-/// `a`, `b` or `c`.
+/// Joins words for a message, as in `a`, `b` or `c`.
 pub(super) fn list(words: &[&str]) -> String {
     let mut out = String::new();
     for (i, word) in words.iter().enumerate() {

@@ -21,7 +21,7 @@ pub(super) static ELEMENT: Element = Element {
         .extension(),
     ],
     required_children: &["body"],
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     ..Element::new("eml", &[], Role::Structure)
 };
 

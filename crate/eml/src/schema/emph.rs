@@ -21,7 +21,7 @@ pub(super) static ELEMENT: Element = Element {
     ..Element::container("emph", || Markup::Emph(Default::default()))
 };
 
-/// SABLE's number for a level of emphasis.
+/// Returns SABLE's number for a level of emphasis, 0 to 2.
 pub(crate) fn number(level: Level) -> f64 {
     match level {
         Level::Number(level) => level.clamp(0.0, 2.0),

@@ -17,7 +17,7 @@ pub(super) static ELEMENT: Element = Element {
     ),
     extension: true,
     content: Content::Elements,
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     attributes: &[
         Attribute::flag(
             "camera",

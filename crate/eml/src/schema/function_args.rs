@@ -9,7 +9,7 @@ pub(super) static ELEMENT: Element = Element {
         "<vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='1'/></function-args></vh-move>",
     ),
     content: Content::Elements,
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     ..Element::part(
         "function-args",
         &["vh-move", "body-non-deterministic-function"],

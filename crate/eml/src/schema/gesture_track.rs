@@ -119,7 +119,7 @@ pub(super) fn read<'t, K: Default>(
     })
 }
 
-/// The time of a key in seconds, when it has one; `Err` when it is wrong.
+/// Parses the time of a key, seconds; `None` if it is absent, `Err` if it is invalid.
 fn key_secs(
     cx: &mut Context<'_>,
     fields: &Fields<'_>,
@@ -140,7 +140,7 @@ fn key_secs(
     Ok(Some(secs))
 }
 
-/// The extensions' course of a gesture, a track or a key.
+/// Parses the motion profile (an extension) of a gesture, a track or a key; `None` if it has none.
 pub(super) fn profile(cx: &mut Context<'_>, fields: &Fields<'_>) -> Option<Box<Profile>> {
     if !fields.is_extended() {
         return None;

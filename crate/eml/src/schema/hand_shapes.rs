@@ -17,7 +17,7 @@ pub(super) static ELEMENT: Element = Element {
     content: Content::Elements,
     attributes: &[HAND, INTERPOLATION, CONTROLS],
     required_children: &["key"],
-    most_per_parent: Some(2),
+    max_per_parent: Some(2),
     ..Element::part("hand-shapes", PARENTS)
 };
 

@@ -8,7 +8,7 @@ pub(super) static ELEMENT: Element = Element {
     source: super::reference_text("GEVH D.1.2"),
     example: super::reference_text("<eml><head/><body><null time='2'/></body></eml>"),
     content: Content::Elements,
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     ..Element::new("head", &["eml"], Role::Structure)
 };
 

@@ -6,7 +6,8 @@ use super::{ELEMENTS, Element};
 const SLOTS: usize = 512;
 const EMPTY: u8 = u8::MAX;
 
-/// For each hash, or the next free slot after it, the first element of a name.
+/// Hash table of element names: for each hash, or the next free slot after it, the first element of
+/// a name.
 static TABLE: [u8; SLOTS] = build();
 
 const fn build() -> [u8; SLOTS] {

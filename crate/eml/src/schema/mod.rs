@@ -110,10 +110,11 @@ pub(crate) use lookup::same;
 pub(crate) use values::parse as parse_value;
 pub(crate) use voice_text::VoiceBuilder;
 
-/// An element of the language.
+/// Entry of the schema table for an element of the language; drives parsing, checks, writing and
+/// documentation.
 #[derive(Debug)]
 pub struct Element {
-    /// Its name. Some have an entry for each of their parents.
+    /// Name of the element. Some names have one entry for each parent.
     pub name: &'static str,
     /// Other spellings that are accepted with a warning.
     pub aliases: &'static [&'static str],
@@ -129,16 +130,16 @@ pub struct Element {
     pub source: &'static str,
     /// Allowed parent elements; empty for the root.
     pub parents: &'static [&'static str],
-    /// Allowed content.
+    /// Content that the element may have.
     pub content: Content,
-    /// Its own attributes; clauses also have [`TIMED`].
+    /// Attributes specific to the element; clauses also have [`TIMED`].
     pub attributes: &'static [Attribute],
     /// Attributes of which at least one must be there.
     pub one_of: &'static [&'static str],
     /// Required children, at least one of each.
     pub required_children: &'static [&'static str],
     /// Maximum number per parent.
-    pub most_per_parent: Option<u32>,
+    pub max_per_parent: Option<u32>,
     /// Role of the element in the document.
     pub(crate) role: Role,
 }
@@ -158,7 +159,7 @@ impl Element {
             attributes: &[],
             one_of: &[],
             required_children: &[],
-            most_per_parent: None,
+            max_per_parent: None,
             role,
         }
     }
@@ -173,7 +174,7 @@ impl Element {
         Self::new(name, CLAUSE_PARENTS, Role::Record(blank))
     }
 
-    /// A container in speech.
+    /// Creates the entry of a container in speech.
     const fn container(name: &'static str, blank: fn() -> Markup) -> Self {
         Self {
             content: Content::Mixed,
@@ -181,7 +182,7 @@ impl Element {
         }
     }
 
-    /// An element that its parent reads.
+    /// Creates the entry of an element that its parent reads.
     const fn part(name: &'static str, parents: &'static [&'static str]) -> Self {
         Self::new(name, parents, Role::Part)
     }
@@ -195,12 +196,12 @@ impl Element {
         )
     }
 
-    /// All its attributes, those of every clause last.
+    /// Returns all attributes of the element, those of every clause last.
     pub fn all_attributes(&self) -> impl Iterator<Item = &'static Attribute> + Clone {
         self.attributes.iter().chain(self.timed())
     }
 
-    /// The attributes that it has as a clause.
+    /// Returns the attributes common to all clauses; empty if the element is not a clause.
     fn timed(&self) -> &'static [Attribute] {
         if self.is_clause() { TIMED } else { &[] }
     }
@@ -210,10 +211,10 @@ impl Element {
     }
 }
 
-/// The markup of a document, each element with its entry here.
+/// Markup tree of a document in which each element refers to its schema entry.
 pub(crate) type Tree<'a> = crate::markup::Tree<'a, &'static Element>;
 
-/// Allowed content of an element.
+/// Allowed content of an element: none, elements, text or both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// No content.
@@ -235,7 +236,7 @@ impl Content {
 /// Function that reads a clause; returns `None` if it must be dropped.
 pub(crate) type BuildClause = fn(&mut Context<'_>, usize, &Fields<'_>) -> Option<ClauseKind>;
 
-/// Role of an element.
+/// Role of an element, which selects the function that reads it.
 #[derive(Clone, Copy)]
 pub(crate) enum Role {
     /// Structure of the document.
@@ -292,7 +293,7 @@ pub(crate) const VOICE_PARENTS: &[&str] = &[
     "volume",
 ];
 
-/// The attributes of every clause.
+/// Attributes common to all clauses: start time and its name.
 pub static TIMED: &[Attribute] = &[
     Attribute::new(
         "time",
@@ -308,13 +309,13 @@ pub static TIMED: &[Attribute] = &[
     ),
 ];
 
-/// The element of a name: exact, or else an alias or another case. Of several with
-/// one name, the first. Extensions are not among them.
+/// Returns the element with a name: exact, or else by alias or in another case. Of several with one
+/// name it returns the first; extensions are excluded.
 pub(crate) fn find(name: &str) -> Option<&'static Element> {
     find_in(false, name)
 }
 
-/// The element of the extensions' namespace with this local name.
+/// Returns the element of the extensions' namespace with this local name; `None` if there is none.
 pub(crate) fn find_extension(name: &str) -> Option<&'static Element> {
     find_in(true, name)
 }
@@ -349,7 +350,7 @@ pub(crate) fn variant_in(element: &'static Element, parent: &str) -> Option<&'st
     variants.find(|e| e.extension == element.extension && e.is_allowed_in(parent))
 }
 
-/// Every element, by name.
+/// Schema table: all elements of the language, sorted by name.
 pub static ELEMENTS: &[&Element] = &[
     &animation_style::ELEMENT,
     &ask::ANSWER,
@@ -480,10 +481,7 @@ mod tests {
     fn names_are_found_in_any_case_and_by_parent() {
         assert_eq!(find("gesture-key").map(|e| e.name), Some("gesture-key"));
         assert_eq!(find("Gesture-Key").map(|e| e.name), Some("gesture-key"));
-        assert!(
-            find("gesture").is_none(),
-            "an unknown parent-dependent name is not found"
-        );
+        assert!(find("gesture").is_none(), "an unknown name is not found");
         let key = find("key").unwrap();
         for (parent, attribute) in [("hand-shapes", "id"), ("palms", "a"), ("motion", "x")] {
             let key = variant_in(key, parent).unwrap();

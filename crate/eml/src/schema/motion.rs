@@ -27,7 +27,7 @@ pub(super) static ELEMENT: Element = Element {
         SPACE,
     ],
     required_children: &["key"],
-    most_per_parent: Some(2),
+    max_per_parent: Some(2),
     ..Element::part("motion", PARENTS)
 };
 

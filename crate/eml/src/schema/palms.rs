@@ -16,7 +16,7 @@ pub(super) static ELEMENT: Element = Element {
     content: Content::Elements,
     attributes: &[HAND, INTERPOLATION, CONTROLS, SPACE],
     required_children: &["key"],
-    most_per_parent: Some(2),
+    max_per_parent: Some(2),
     ..Element::part("palms", PARENTS)
 };
 

@@ -37,7 +37,7 @@ pub(super) static ELEMENT: Element = Element {
         "headByLoudness",
         "browsByLoudness",
     ],
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     attributes: &[
         Attribute::new(
             "figure",

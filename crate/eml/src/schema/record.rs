@@ -30,7 +30,7 @@ impl<'t> Context<'t> {
         self.visit(fields, record, Vec::new())
     }
 
-    /// [`Context::record`] with these children, found before.
+    /// Reads a record whose children were found before, see [`Context::record`].
     pub(crate) fn visit(
         &mut self,
         fields: &Fields<'_>,
@@ -47,8 +47,8 @@ impl<'t> Context<'t> {
         reader.complete
     }
 
-    /// The character data of an element, references resolved, and where it is. Elements in
-    /// it are reported.
+    /// Returns the character data of an element with references resolved, and its span; reports
+    /// elements in it.
     pub(crate) fn character_data(
         &mut self,
         node: usize,

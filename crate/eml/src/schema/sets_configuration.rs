@@ -13,7 +13,7 @@ pub(super) static ELEMENT: Element = Element {
     ),
     aliases: &["tracks-configuration"],
     content: Content::Elements,
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     ..Element::part("sets-configuration", &["body-expression-configuration"])
 };
 

@@ -2,24 +2,24 @@
 
 use crate::{ClauseKind, Markup, Parsed, TextSegment, parse};
 
-/// The codes of the diagnostics of a whole document.
+/// Returns the diagnostic codes of a whole document, for tests.
 pub(super) fn codes(text: &str) -> Vec<&'static str> {
     parse(text).diagnostics.iter().map(|d| d.code).collect()
 }
 
-/// The codes of the diagnostics of a body with this content.
+/// Returns the diagnostic codes of a body with this content, for tests.
 pub(super) fn clause_codes(clauses: &str) -> Vec<&'static str> {
     codes(&format!(
         "<eml><body><null time='1'/>{clauses}</body></eml>"
     ))
 }
 
-/// The first clause of a body with this content, which must be without fault.
+/// Returns the first clause of a body with this content, for tests; it must have no diagnostics.
 pub(super) fn one(clause: &str) -> ClauseKind {
     first(&parse(&format!("<eml><body>{clause}</body></eml>")))
 }
 
-/// As [`one`], with the extensions bound to `x`.
+/// Returns the first clause as [`one`] does, with the extensions bound to `x`.
 pub(super) fn extended(clause: &str) -> ClauseKind {
     first(&parse(&format!(
         "<eml xmlns:x='urn:raconteur:eml:1'><body>{clause}</body></eml>"
@@ -31,7 +31,7 @@ fn first(parsed: &Parsed) -> ClauseKind {
     parsed.document.clauses[0].kind.clone()
 }
 
-/// The first container of a speech with this content, and the codes of its diagnostics;
+/// Returns the first container of a speech with this content, and its diagnostic codes, for tests;
 /// the extensions are bound to `x`.
 pub(super) fn markup(inner: &str) -> (Markup, Vec<&'static str>) {
     let parsed = parse(&format!(

@@ -12,7 +12,7 @@ pub(super) static ELEMENT: Element = Element {
         "<body-deterministic-primitive time='0' primitive='pop'><tracks><bg name='torso'/></tracks></body-deterministic-primitive>",
     ),
     content: Content::Elements,
-    most_per_parent: Some(1),
+    max_per_parent: Some(1),
     ..Element::part(
         "tracks",
         &[

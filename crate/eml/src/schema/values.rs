@@ -13,7 +13,7 @@ use crate::time_expr::{self, Problem};
 use crate::{Diagnostic, EmotionSpace, Name, Span, TimeExpr, markup};
 use std::borrow::Cow;
 
-/// Position of a key on a gesture's timeline.
+/// Time of a key within a gesture, in seconds or as a fraction of its duration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum KeyTime {
     /// Seconds from its start.
@@ -23,7 +23,7 @@ pub(crate) enum KeyTime {
 }
 
 impl Context<'_> {
-    /// The value of an attribute by its kind: as written, or else the default.
+    /// Returns the value of an attribute by its kind: as written, or else the default.
     pub(crate) fn value(&mut self, fields: &Fields<'_>, name: &str) -> Value {
         let Some((attribute, written)) = fields.get(name) else {
             return Value::None;
@@ -101,7 +101,7 @@ impl Context<'_> {
         }
     }
 
-    /// The table's word for another one.
+    /// Replaces an alias of a word by the word in the table, and reports the spelling.
     fn unaliased<'x>(&mut self, attribute: &Attribute, text: &'x str, span: Span) -> &'x str {
         let aliases = attribute.word_aliases.iter();
         match aliases
@@ -116,7 +116,7 @@ impl Context<'_> {
         }
     }
 
-    /// Any text.
+    /// Returns the text value of an attribute; `None` if it is absent or invalid.
     pub(crate) fn text(&mut self, fields: &Fields<'_>, name: &str) -> Option<Name> {
         match self.value(fields, name) {
             Value::Text(text) => Some(text),
@@ -124,7 +124,7 @@ impl Context<'_> {
         }
     }
 
-    /// A truth value.
+    /// Returns the boolean value of an attribute; `None` if it is absent or invalid.
     pub(crate) fn boolean(&mut self, fields: &Fields<'_>, name: &str) -> Option<bool> {
         match self.value(fields, name) {
             Value::Flag(flag) => Some(flag),
@@ -132,7 +132,8 @@ impl Context<'_> {
         }
     }
 
-    /// A number, whole number or length in seconds.
+    /// Returns the number, integer or duration (seconds) of an attribute; `None` if it is absent or
+    /// invalid.
     pub(crate) fn number(&mut self, fields: &Fields<'_>, name: &str) -> Option<f64> {
         match self.value(fields, name) {
             Value::Number(number) => Some(number),
@@ -140,7 +141,7 @@ impl Context<'_> {
         }
     }
 
-    /// The table's spelling of a word.
+    /// Returns the word of an attribute in the table's spelling; `None` if it is absent or invalid.
     pub(crate) fn choice(&mut self, fields: &Fields<'_>, name: &str) -> Option<&'static str> {
         match self.value(fields, name) {
             Value::Word(word) => Some(word),
@@ -148,7 +149,7 @@ impl Context<'_> {
         }
     }
 
-    /// A time expression; `Err` when it is written and wrong.
+    /// Returns the time expression of a clause; `Err` if it is invalid.
     pub(crate) fn time(&mut self, fields: &Fields<'_>) -> Result<TimeExpr, ()> {
         let written = fields.get("time").and_then(|(_, written)| written);
         let Some(written) = written else {
@@ -176,7 +177,7 @@ impl Context<'_> {
         }
     }
 
-    /// An offset in a gesture; `Err` when it is written and wrong.
+    /// Returns the time of a key in a gesture; `None` if it is absent, `Err` if it is invalid.
     pub(crate) fn key_time(&mut self, fields: &Fields<'_>) -> Result<Option<KeyTime>, ()> {
         let Some(written) = fields.get("time").and_then(|(_, written)| written) else {
             return Ok(None);
@@ -215,7 +216,7 @@ fn conditional_kind(attribute: &Attribute, fields: &Fields<'_>) -> Kind {
         let written = fields.get(other).and_then(|(_, written)| written);
         written.is_some_and(|w| w.value.trim().eq_ignore_ascii_case(word))
     };
-    let mut kinds = attribute.beside.iter();
+    let mut kinds = attribute.conditional_kinds.iter();
     let found = kinds.find(|b| has(b.attribute, b.word));
     found.map_or(attribute.kind, |b| b.kind)
 }

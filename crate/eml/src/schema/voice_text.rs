@@ -39,7 +39,7 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
     Some(ClauseKind::VoiceText(text))
 }
 
-/// Builder of a spoken text.
+/// Builder of a spoken text: its segments and the current emphasis.
 pub(crate) struct VoiceBuilder {
     pub(crate) pieces: Vec<TextSegment>,
     /// SABLE emphasis level of the following text.

@@ -8,10 +8,10 @@ use crate::suggest::quoted;
 use crate::work::step;
 use crate::{Diagnostic, Span};
 
-/// Result of reading a start tag.
+/// Result of parsing a start tag: complete, or broken off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
-    /// It ends where it seemed to; every slip was mended.
+    /// The tag ends at the expected position; every error was repaired.
     Whole,
     /// A quote or the `>` is missing: the next markup starts at this offset of the
     /// source, or nowhere.
@@ -122,7 +122,7 @@ struct Value {
     /// Offset after the value.
     past: usize,
     marks: ValueQuotes,
-    /// There is no reference in it.
+    /// True if the value contains no reference.
     is_plain: bool,
 }
 

@@ -20,7 +20,8 @@ const MAX_NODES: usize = 2_000_000;
 /// Maximum depth of recursion over the tree, whatever the limits.
 const MAX_DEPTH: usize = 256;
 
-/// Callback that takes an element of the body once it is complete: a node of the tree.
+/// Callback for each completed element of the body: the tree, the index of its node, and the
+/// diagnostics.
 pub(crate) type TakeEvent<'a, 's> = dyn FnMut(&Tree<'a>, usize, &mut Sink) + 's;
 
 /// Parses `source` into a tree. In a document with a valid beginning, the elements of the body are
@@ -81,12 +82,12 @@ impl<'a> Events<'a> {
         Self { reader, base }
     }
 
-    /// The byte of the source at an offset of the reader.
+    /// Converts an offset of the reader to a byte offset in the source.
     fn position(&self, offset: u64) -> usize {
         self.base + usize::try_from(offset).unwrap_or(usize::MAX)
     }
 
-    /// The byte after the last event.
+    /// Returns the byte offset after the last event.
     fn offset(&self) -> usize {
         self.position(self.reader.buffer_position())
     }
@@ -147,8 +148,8 @@ impl<'a> Builder<'a, '_, '_> {
         None
     }
 
-    /// The events from byte `base` on, and where they begin: a reader would drop a byte order mark
-    /// at its beginning, which is text anywhere but at the start of the source.
+    /// Returns the events from byte `base` on, and their start. A byte order mark at `base` is kept
+    /// as text, since the reader would drop it.
     fn events(&mut self, base: usize) -> (Events<'a>, usize) {
         let mut at = base;
         if self.source[at..].starts_with('\u{feff}') {

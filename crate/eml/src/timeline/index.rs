@@ -5,8 +5,9 @@ use std::ops::Range;
 /// Number of clauses per leaf; a linear scan of them is cheaper than more tree levels.
 const BLOCK: usize = 8;
 
-/// A binary tree of latest ends over blocks of clauses by start, stored as an array: node `i` has
-/// the children `2i` and `2i + 1`, the leaves come last.
+/// Index that finds clauses still active at a time: a binary tree of latest ends over blocks of
+/// clauses by start. Stored as an array, node `i` has the children `2i` and `2i + 1`; the leaves
+/// come last.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct EndIndex {
     latest: Vec<f64>,
@@ -32,8 +33,8 @@ impl EndIndex {
         Self { latest, leaves }
     }
 
-    /// The indices of those `items` that end after `t`, ascending. They are the indexed
-    /// items or the first of them.
+    /// Returns the indices of the `items` that end after `t`, ascending; `items` are the indexed
+    /// items or a prefix of them.
     pub(super) fn after<'a, T, E: Fn(&T) -> f64>(
         &'a self,
         items: &'a [T],
@@ -56,7 +57,7 @@ impl EndIndex {
     }
 }
 
-/// See [`EndIndex::after`].
+/// Iterator returned by [`EndIndex::after`].
 pub(super) struct After<'a, T, E> {
     index: &'a EndIndex,
     items: &'a [T],

@@ -11,16 +11,16 @@ use crate::{ClauseId, Diagnostic, Document, Durations, Limits, Name, SortedMap, 
 use index::EndIndex;
 use names::Names;
 
-/// A timeline with the problems of its times.
+/// Resolved timeline with the diagnostics of its times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resolved {
     /// Timeline; clauses without a time are left out.
     pub timeline: Timeline,
-    /// Problems.
+    /// Diagnostics of unresolvable or suspicious times.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Times of all clauses of a document, in seconds from the start of the script.
+/// Absolute times of all clauses of a document, seconds from the start of the script.
 ///
 /// # Examples
 ///
@@ -47,8 +47,8 @@ pub struct Timeline {
     ends: EndIndex,
 }
 
-/// A clause with its time. A clause in a repetition appears once per iteration. All other data are
-/// in the document.
+/// Clause with its resolved start and end. A clause in a repetition appears once per iteration; all
+/// other data are in the document.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedClause {
     /// Start time, at least 0.
@@ -77,7 +77,8 @@ impl Timeline {
         Self::resolve_with(document, durations, &Limits::default())
     }
 
-    /// [`Timeline::resolve`] with other limits on repetitions and diagnostics.
+    /// Resolves a timeline with other limits on repetitions and diagnostics, see
+    /// [`Timeline::resolve`].
     #[must_use]
     pub fn resolve_with(
         document: &Document,
@@ -114,9 +115,8 @@ impl Timeline {
         }
     }
 
-    /// The clauses that play at a time, with their indices, by start: those with
-    /// `start <= t < end`. Clauses without a length never do. O(log n) for each, without
-    /// allocation.
+    /// Returns the clauses active at a time (`start <= t < end`) with their indices, by start.
+    /// Clauses without duration are never active. O(log n) each, without allocation.
     pub fn active_at(&self, t_secs: f64) -> impl Iterator<Item = (usize, &TimedClause)> {
         let started = self.clauses.partition_point(|c| c.start_secs <= t_secs);
         self.ends
@@ -124,7 +124,7 @@ impl Timeline {
             .map(|i| (i, &self.clauses[i]))
     }
 
-    /// The clauses that start from `from_secs` on and before `to_secs`. O(log n).
+    /// Returns the clauses that start at or after `from_secs` and before `to_secs`. O(log n).
     #[must_use]
     pub fn between(&self, from_secs: f64, to_secs: f64) -> &[TimedClause] {
         let from = self.clauses.partition_point(|c| c.start_secs < from_secs);

@@ -8,7 +8,7 @@ use crate::{
 };
 use std::cmp::Ordering;
 
-/// A named marker.
+/// Named time of a document: the clause that defines it and the offset from its start.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NamedTime {
     /// The clause that it belongs to.
@@ -19,11 +19,12 @@ pub(super) struct NamedTime {
     pub(super) span: Span,
 }
 
-/// Data collected in one pass over all clauses.
+/// Data collected in one pass over all clauses of a document: voice timings, named times and
+/// groups.
 pub(super) struct ClauseIndex {
     /// Timings of all speech.
     pub(super) voices: SortedMap<ClauseId, VoiceTiming>,
-    /// Every name.
+    /// All named times.
     pub(super) names: Names,
     /// The groups, outer ones first.
     pub(super) groups: Vec<ClauseId>,
@@ -33,9 +34,9 @@ pub(super) struct ClauseIndex {
     pub(super) asynchronous: bool,
 }
 
-/// Every name of a document.
+/// Named times of a document with fast lookup by name.
 pub(super) struct Names {
-    /// As the document has them.
+    /// Named times in document order.
     moments: Vec<(Name, NamedTime)>,
     /// Markers by name; the first of several with one name.
     order: Vec<Key>,
@@ -149,7 +150,7 @@ impl Names {
         self.order.len()
     }
 
-    /// All names in order.
+    /// Returns all names in sorted order.
     pub(super) fn iter(&self) -> impl Iterator<Item = &str> {
         self.order.iter().map(|&key| name_at(&self.moments, key))
     }

@@ -24,7 +24,7 @@ const MAX_CHAIN: usize = 32;
 /// Times beyond this, about 31 years, result from overflowing sums.
 const MAX_TIME_SECS: f64 = 1e9;
 
-/// Solved times: each clause's first iteration, without delay.
+/// Solved start and end times of clauses: the first iteration of each, without delay.
 pub(super) struct Times {
     /// Times in seconds, NaN if there is none.
     values: UnknownMap<f64>,
@@ -50,7 +50,7 @@ enum Unknown {
 }
 
 impl Unknown {
-    /// The unknowns of clauses 0 to `clause_count - 1`, in the order of the document.
+    /// Returns the unknowns (start and end) of clauses 0 to `clause_count - 1`, in document order.
     fn all(clause_count: usize) -> impl Iterator<Item = Self> {
         // A document has fewer than 2³¹ clauses.
         (0..clause_count as u32).flat_map(|i| {
@@ -160,7 +160,7 @@ struct Solver<'d, 's> {
     terms: Vec<Term>,
     /// Index of the first term of each clause.
     first_term: Vec<u32>,
-    /// In a seq, the clause before.
+    /// Previous clause in the same seq, for each clause.
     before: Vec<Option<ClauseId>>,
     state: UnknownMap<State>,
     values: UnknownMap<f64>,
@@ -280,7 +280,7 @@ impl Solver<'_, '_> {
         stack.push((unknown, 0));
     }
 
-    /// The `i`th unknown that must be found before `unknown`.
+    /// Returns the `i`th unknown that must be solved before `unknown`; `None` if there are no more.
     fn needs(&self, unknown: Unknown, i: usize) -> Option<Unknown> {
         step(1);
         let id = unknown.clause();
@@ -320,7 +320,8 @@ impl Solver<'_, '_> {
         }
     }
 
-    /// The value of an unknown once all that it needs is known.
+    /// Returns the value of an unknown (start or end of a clause, seconds); all that it depends on
+    /// must be solved.
     fn value(&mut self, unknown: Unknown) -> f64 {
         match unknown {
             Unknown::Start(id) => self.start_value(id),

@@ -126,12 +126,12 @@ static CLASS: [u8; 256] = {
     table
 };
 
-/// XML's white space. A no-break space joins.
+/// Returns true for XML white space. A no-break space is not included, since it joins words.
 pub(super) const fn is_space(b: u8) -> bool {
     matches!(b, b' ' | b'\t' | b'\n' | b'\r')
 }
 
-/// Item of a spoken text for timing and for emotions.
+/// Item found while scanning a spoken text: word, marker, signs, emoticon or gap.
 pub(crate) enum Item<'i, 'v> {
     Word(&'i Token<'v>),
     Mark(Mark),
@@ -153,12 +153,12 @@ pub(crate) enum Item<'i, 'v> {
 /// Callback for the items of a spoken text; it may stop the scan.
 pub(crate) type Visit<'v, 'c> = dyn FnMut(Item<'_, 'v>) -> ControlFlow<()> + 'c;
 
-/// A token between white space.
+/// Token between white space in a spoken text; markup may divide it.
 #[derive(Default)]
 pub(crate) struct Token<'v> {
-    /// Up to the first markup in it.
+    /// Text of the token up to the first markup inside it.
     first: &'v str,
-    /// All of it, when there is markup in it.
+    /// Whole text of the token if it contains markup; otherwise empty.
     whole: String,
     pub(crate) span: Span,
     /// Number of letters and digits in it.
@@ -169,7 +169,7 @@ pub(crate) struct Token<'v> {
 }
 
 impl<'v> Token<'v> {
-    /// The token without markup.
+    /// Returns the text of the token without markup.
     pub(crate) fn text(&self) -> &str {
         if self.whole.is_empty() {
             self.first

@@ -3,7 +3,7 @@
 use quick_xml::Reader;
 use quick_xml::events::Event;
 
-/// A comment with its position.
+/// Comment of an EML document with its byte position.
 #[derive(Clone, Copy)]
 pub(super) struct Comment<'s> {
     /// Offset of its first byte.
@@ -12,7 +12,7 @@ pub(super) struct Comment<'s> {
     pub(super) text: &'s str,
 }
 
-/// All comments, by their position relative to the root element.
+/// Comments of an EML document, divided into those before, inside and after the root element.
 #[derive(Default)]
 pub(super) struct Comments<'s> {
     pub(super) before: Vec<Comment<'s>>,
@@ -20,7 +20,7 @@ pub(super) struct Comments<'s> {
     pub(super) after: Vec<Comment<'s>>,
 }
 
-/// The comments of a text without slips; up to the first slip otherwise.
+/// Returns the comments of a well-formed text, or those up to its first error.
 pub(super) fn collect_comments(source: &str) -> Comments<'_> {
     let mut found = Comments::default();
     let mut reader = Reader::from_str(source);

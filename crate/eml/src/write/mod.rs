@@ -38,14 +38,14 @@ pub const HARMLESS: &[&str] = &[
     "eml::unknown-body-group",
 ];
 
-/// The canonical text of a document.
+/// Returns the canonical EML text of a document.
 #[must_use]
 pub fn write(document: &Document) -> String {
     Writer::new(document, Vec::new()).write(&[], &[])
 }
 
-/// The canonical text of a document that was read from `source`, with the comments of
-/// that text: each before the clause that it stood before or in.
+/// Returns the canonical text of a document parsed from `source`, with the comments of that text,
+/// each before the clause that it preceded or was in.
 #[must_use]
 pub fn write_with_comments(document: &Document, source: &str) -> String {
     let found = comments::collect_comments(source);
@@ -216,7 +216,7 @@ impl<'d> Writer<'d> {
     }
 }
 
-/// The tag of a clause, without the clauses and the text in it.
+/// Returns the tag of a clause, without contained clauses and text.
 fn clause_tag(clause: &Clause) -> Tag {
     let mut kind = clause.kind.clone();
     let mut tag = match kind.record() {
@@ -240,7 +240,7 @@ fn clause_tag(clause: &Clause) -> Tag {
     tag
 }
 
-/// A time expression: its names, then its seconds.
+/// Returns the text of a time expression: its names, then its seconds.
 fn time(expr: &TimeExpr) -> String {
     let mut out = String::new();
     for name in &expr.names {

@@ -7,7 +7,7 @@ use crate::{Coords, GestureKey, Handedness, Key, Profile, Track};
 use quick_xml::escape::partial_escape;
 use raconteur_base::Side;
 
-/// An element with its attributes as text.
+/// EML element with its attributes as text, ready to be written.
 pub(super) struct Tag {
     element: &'static Element,
     /// Start time, written before the other attributes.
@@ -18,7 +18,7 @@ pub(super) struct Tag {
 }
 
 impl Tag {
-    /// An empty tag.
+    /// Creates a tag without attributes and children.
     pub(super) fn new(element: &'static str) -> Self {
         Self::inside(element, "")
     }
@@ -35,14 +35,14 @@ impl Tag {
         }
     }
 
-    /// The tag of a record with all that is in it.
+    /// Creates the tag of a record with its attributes and children.
     pub(super) fn from_record(record: &mut dyn Record) -> Self {
         let mut tag = Self::new(record.element());
         record.visit(&mut tag);
         tag
     }
 
-    /// Its name with its prefix.
+    /// Returns the element name, with the prefix of extensions.
     pub(super) fn name(&self) -> String {
         if self.element.extension {
             format!("{EXTENSIONS_PREFIX}:{}", self.element.name)
@@ -51,7 +51,7 @@ impl Tag {
         }
     }
 
-    /// Its attributes, a space before each.
+    /// Returns the attributes as text, each preceded by a space.
     pub(super) fn attributes(&self) -> String {
         format!("{}{}", self.timed, self.attributes)
     }
@@ -214,7 +214,7 @@ impl Visit for Tag {
     }
 }
 
-/// The shortest decimal that reads as this number.
+/// Returns the shortest decimal that parses to this number.
 pub(super) fn number(number: f64) -> String {
     // Without the sign of a negative zero.
     format!("{}", number + 0.0)

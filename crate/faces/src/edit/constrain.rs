@@ -5,14 +5,14 @@ use super::{Change, Editor, Face, Part, Region, difference};
 use crate::error::FaceError;
 use crate::pack::Difference;
 
-/// Constraint that holds an attribute at a value.
+/// Constraint that holds an attribute of an edited face at a value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constraint {
-    /// Of shape or of texture.
+    /// Part of the face (shape or texture) that the attribute belongs to.
     pub part: Part,
-    /// The attribute.
+    /// Name of the attribute.
     pub name: String,
-    /// The value.
+    /// Value to hold.
     pub value: f64,
     /// Region in which the face may change to meet the constraint.
     pub region: Region,

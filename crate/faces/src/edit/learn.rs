@@ -9,16 +9,17 @@ use crate::error::FaceError;
 use crate::feature::Feature;
 use crate::segment::Half;
 
-/// A feature of shape as it is measured.
+/// Definition of a shape feature by its measure: attribute, segments and gradient; input for
+/// learning a [`Feature`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct FeatureMeasure {
-    /// The attribute.
+    /// Name of the attribute.
     pub name: String,
-    /// As [`Feature::segments`].
+    /// Names of the segments that contain the feature, see [`Feature::segments`].
     pub segments: Vec<String>,
-    /// As [`Feature::half`].
+    /// Half of the face that contains the feature, see [`Feature::half`].
     pub half: Option<Half>,
-    /// As [`Feature::gradient`].
+    /// Change of the measured value per unit of a face number, see [`Feature::gradient`].
     pub gradient: Vec<(u32, f64)>,
 }
 
@@ -41,7 +42,7 @@ struct SegmentModes {
 }
 
 impl Editor {
-    /// The features of measures, in their order.
+    /// Learns the features of these measures and returns them in the same order.
     ///
     /// # Errors
     /// When an attribute or a segment is none, or the segments do not reach what is measured.

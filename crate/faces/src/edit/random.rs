@@ -40,7 +40,8 @@ fn unlike(a: &PersonRecord, b: &PersonRecord) -> f64 {
 }
 
 impl Editor {
-    /// A face as likely as those of the examples are, no skin of which passes through skin; the same for the same seed.
+    /// Returns a random face, as likely as the examples and without self-intersecting skin; the
+    /// same for the same seed.
     #[must_use]
     pub fn random(&self, seed: u64) -> Face {
         let mut face = self.random_at(seed, 0);

@@ -7,7 +7,7 @@ use crate::blend::SoftMask;
 use crate::error::FaceError;
 use crate::segment::Half;
 
-/// Region of the head that limits a change.
+/// Region of the head to which a change of a face is limited: segments, on one half or both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     /// Mask of the region; `None` for the whole head.
@@ -37,7 +37,7 @@ const LOOK_KINDS: [(&str, &str); 3] = [
 ];
 
 impl Region {
-    /// The whole head.
+    /// Returns the region of the whole head.
     #[must_use]
     pub fn whole_head() -> Self {
         Self {
@@ -80,7 +80,8 @@ impl Region {
         kind.and_then(|k| self.looks.get(k)).copied().unwrap_or(1.0)
     }
 
-    /// Its middle on a shape: of the whole, that of all vertices.
+    /// Returns the centre of the region on a shape, frame of the head, metres; the mean of all
+    /// vertices for the whole head.
     pub(super) fn middle(&self, shape: &[f64]) -> [f64; 3] {
         let all = shape.as_chunks::<3>().0;
         let mean = |places: &mut dyn Iterator<Item = &[f64; 3]>| {

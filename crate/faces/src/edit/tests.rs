@@ -214,7 +214,7 @@ fn halves_are_apart_and_a_move_is_one() {
     let before = editor.average();
     let mut face = before.clone();
     let up = Affine {
-        way_m: [0.0, 0.0, 0.01],
+        translation_m: [0.0, 0.0, 0.01],
         ..Affine::NONE
     };
     editor.transform(&mut face, &up, &left);
@@ -226,7 +226,7 @@ fn halves_are_apart_and_a_move_is_one() {
     let round = Affine {
         turn_rad: [0.0, 0.0, core::f64::consts::TAU],
         scale: [1.0; 3],
-        way_m: [0.0; 3],
+        translation_m: [0.0; 3],
     };
     editor.transform(&mut turned, &round, &Region::whole_head());
     assert!(

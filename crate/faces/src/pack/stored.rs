@@ -114,7 +114,7 @@ fn database(space: &FaceSpace, faces: &[Vec<i8>]) -> Option<Vec<Vec<f64>>> {
     faces.iter().map(one).collect()
 }
 
-/// The numbers, where all are finite.
+/// Returns the numbers in double precision; `None` if one is not finite.
 fn finite(numbers: &[f32]) -> Option<Vec<f64>> {
     let is_finite = numbers.iter().all(|x| x.is_finite());
     is_finite.then(|| double(numbers))
@@ -222,7 +222,7 @@ fn stepped<'a>(rows: impl Iterator<Item = (&'a [f64], f64)>) -> (Vec<f32>, Vec<i
     (steps, all)
 }
 
-/// The rows of [`stepped`], each of a length.
+/// Decodes the rows of [`stepped`], each of `length` numbers; `None` for invalid data.
 fn unstepped(steps: &[f32], all: &[i8], length: usize) -> Option<Vec<Vec<f64>>> {
     let is_whole = all.len() == steps.len().checked_mul(length)?;
     let steps = finite(steps).filter(|_| is_whole)?;
@@ -386,7 +386,7 @@ fn life(stored: &[Vec<f32>], modes: usize) -> Option<AgeModel> {
     Some(AgeModel { effects }).filter(|life| life.fits(modes))
 }
 
-/// The attributes of a space.
+/// Reads the attributes of a space; `None` if one is invalid.
 fn attributes(stored: Vec<StoredAttribute>, space: &FaceSpace) -> Option<Vec<NamedAttribute>> {
     stored.into_iter().map(|a| a.read(space)).collect()
 }

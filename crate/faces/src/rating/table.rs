@@ -19,7 +19,7 @@ const INSTRUCTIONS: &str = "\
 # Leave the value empty where you cannot say. Fill in your name, the same in all your lines and without # at its beginning.
 ";
 
-/// Error returned when a table of ratings cannot be read.
+/// Error returned when a table of ratings cannot be parsed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RatingError {
@@ -63,7 +63,7 @@ pub enum RatingError {
         /// Text found.
         found: String,
     },
-    /// There is no face of that index.
+    /// The table names a face index that does not exist.
     #[error("line {line}: there is no face {face} among {examples}")]
     UnknownFace {
         /// The line, counted from 1.
@@ -95,17 +95,17 @@ pub enum RatingError {
     },
 }
 
-/// Ratings of faces by raters.
+/// Ratings of faces by people, by attribute; attributes are learned from them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ratings {
     attributes: BTreeMap<String, AttributeRatings>,
 }
 
 impl Ratings {
-    /// A table is not longer, lines.
+    /// Maximum number of lines in a table.
     pub const MAX_LINES: usize = 100_000;
 
-    /// A table to be filled in: a line for each face and attribute, without rater and value.
+    /// Returns an empty rating form: a line for each face and attribute, without rater and value.
     #[must_use]
     pub fn form(faces: &[usize], attributes: &[String]) -> String {
         let mut form = INSTRUCTIONS.to_owned() + &COLUMNS.join("\t") + "\n";
@@ -117,7 +117,7 @@ impl Ratings {
         form
     }
 
-    /// Reads a table.
+    /// Parses a tab-separated table of ratings.
     ///
     /// # Errors
     /// When a line is broken, or there are too many; the first such line is named.
@@ -209,7 +209,7 @@ impl Ratings {
         Ok(())
     }
 
-    /// Adds those of another table.
+    /// Adds the ratings of another table.
     ///
     /// # Errors
     /// When a rater has rated a face in both; the line is that of the other table.
@@ -241,12 +241,12 @@ impl Ratings {
         })
     }
 
-    /// The attributes that anybody rated, by name.
+    /// Returns the rated attributes with their ratings, sorted by name.
     pub fn attributes(&self) -> impl Iterator<Item = (&str, &AttributeRatings)> {
         self.attributes.iter().map(|(name, of)| (name.as_str(), of))
     }
 
-    /// The ratings of an attribute.
+    /// Returns the ratings of an attribute; `None` if nobody rated it.
     #[must_use]
     pub fn get(&self, attribute: &str) -> Option<&AttributeRatings> {
         self.attributes.get(attribute)

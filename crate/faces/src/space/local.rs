@@ -123,7 +123,7 @@ mod tests {
     use super::*;
     use crate::attribute::Attribute;
 
-    /// Large forms everywhere, and a small one at two numbers.
+    /// Returns test faces with large variation everywhere and a small one at two numbers.
     fn faces() -> (Vec<Vec<f64>>, Vec<f64>) {
         let small: Vec<f64> = (0..200).map(|i| noise::signed(9, i, 0)).collect();
         let face = |i: usize| {

@@ -8,7 +8,7 @@ use super::tests::distance;
 use crate::error::FaceError;
 use crate::sample::examples;
 
-/// The scalar product.
+/// Returns the scalar product of two vectors.
 fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -23,9 +23,9 @@ use crate::lower::script::{Script, TimingSources};
 
 /// Limits of a live performance. Beyond them, fragments are refused and the story continues.
 pub mod limits {
-    /// Length of a fragment, bytes: some 2,500 words.
+    /// Maximum length of a live fragment, bytes: some 2,500 words.
     pub const FRAGMENT_BYTES: usize = 16 << 10;
-    /// Length of all fragments that are remembered, bytes.
+    /// Maximum total length of all remembered fragments, bytes.
     pub const REMEMBERED_BYTES: usize = 64 << 10;
     /// Clauses of all fragments that are remembered, repetitions played out.
     pub const REMEMBERED_CLAUSES: usize = 1024;
@@ -41,17 +41,18 @@ pub mod limits {
     pub const BURST: f64 = 20.0;
     /// Fragments a second of story time that it may send for long.
     pub const RATE_HZ: f64 = 10.0;
-    /// Minds whose rates are counted separately.
+    /// Maximum number of minds (programs that send fragments) whose rates are counted separately.
     pub const MINDS: usize = 64;
 }
 
 /// Time after its last stroke at which an arm is down again, seconds: hold and retraction.
 const SETTLE_SECS: f64 = 2.0;
 
-/// The outcome of a fragment.
+/// Outcome of a live fragment: accepted clauses, utterances, questions and diagnostics; reported to
+/// its sender.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FragmentOutcome {
-    /// Its number, from 1; cues name it.
+    /// Number of the fragment, from 1; cues refer to it.
     pub fragment: u32,
     /// The `name` of its `eml` element, by which a mind may recognise it.
     pub name: Option<String>,
@@ -65,21 +66,21 @@ pub struct FragmentOutcome {
     pub questions: Vec<QuestionCue>,
     /// Problems. An error has cost a clause, or the whole fragment.
     pub diagnostics: Vec<Diagnostic>,
-    /// It was no fragment but the message `<interrupt/>`.
+    /// True if the message was `<interrupt/>` instead of a fragment.
     pub interrupts: bool,
     /// Story time at which `<interrupt/>` ended something, seconds; see
     /// [`crate::Player::interrupt`].
     pub cut_secs: Option<f64>,
 }
 
-/// A clause that was accepted.
+/// Accepted clause of a live fragment, with its times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LiveClause {
-    /// Its identity.
+    /// Identification of the clause.
     pub clause: ClauseRef,
-    /// Story time, seconds.
+    /// Start of the clause, story time, seconds.
     pub start_secs: f64,
-    /// Story time, seconds.
+    /// End of the clause, story time, seconds.
     pub end_secs: f64,
 }
 
@@ -105,7 +106,7 @@ struct SendBudget {
     at_secs: f64,
 }
 
-/// An incoming fragment.
+/// Incoming live fragment: its text, sender and time of arrival.
 pub(crate) struct FragmentText<'a> {
     /// Index of the sending mind.
     pub(crate) mind: u32,
@@ -116,7 +117,7 @@ pub(crate) struct FragmentText<'a> {
     pub(crate) base_secs: f64,
 }
 
-/// The performance that a fragment joins.
+/// Performance that a live fragment joins: figure, animations, script and current actor.
 pub(crate) struct LiveContext<'a> {
     pub(crate) cast: &'a Cast,
     pub(crate) library: &'a Library,
@@ -127,7 +128,8 @@ pub(crate) struct LiveContext<'a> {
     pub(crate) actor: &'a Actor,
 }
 
-/// The live performance: the fragments that have joined the story.
+/// Live part of a performance: the fragments that have joined the story, and the budgets of their
+/// senders.
 pub(crate) struct LivePerformance {
     /// Fragments in order of arrival.
     fragments: Vec<Fragment>,
@@ -170,7 +172,7 @@ impl LivePerformance {
         ends.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The utterances with their indices.
+    /// Returns the utterances of all remembered fragments, with their indices.
     pub(crate) fn utterances(&self) -> impl Iterator<Item = (usize, &UtteranceCue)> {
         self.fragments
             .iter()
@@ -423,8 +425,8 @@ impl LivePerformance {
         });
     }
 
-    /// The cues after `from_secs` up to and including `to_secs`, those of each fragment by
-    /// time, and the clauses that were skipped.
+    /// Returns the cues after `from_secs` up to and including `to_secs`, sorted by time within each
+    /// fragment, preceded by those of skipped clauses.
     pub(crate) fn take_cues(&mut self, from_secs: f64, to_secs: f64) -> Vec<Cue> {
         let mut cues = std::mem::take(&mut self.due);
         for fragment in &mut self.fragments {
@@ -470,7 +472,7 @@ pub(crate) fn between(cues: &[Cue], from_secs: f64, to_secs: f64) -> &[Cue] {
     cues.get(first..last).unwrap_or_default()
 }
 
-/// The clauses of a script, by start.
+/// Returns the accepted clauses of a fragment, sorted by start.
 fn accepted_clauses(script: &Script) -> Vec<LiveClause> {
     let clauses = script.timeline.clauses.iter();
     clauses

@@ -112,7 +112,7 @@ fn playback(style: Option<&AnimationStyle>) -> Playback {
     }
 }
 
-/// Every name that a member means: its own, or those of its set.
+/// Returns the names that a member denotes: its own, or those of its set.
 fn names<'a>(member: &'a Member, sets: &'a [Set]) -> Vec<&'a str> {
     match member.kind {
         MemberKind::Set => items_of(sets, &member.name),
@@ -142,7 +142,8 @@ fn tracks(members: Option<&[Member]>, sets: &[Set]) -> Tracks {
     Some(names.filter_map(track).collect())
 }
 
-/// The track of a name: a body group, or a layer by its number, which may end a name.
+/// Returns the track of a name: a body group, or a layer by the number at its end; `None` for any
+/// other name.
 fn track(name: &str) -> Option<TrackRef> {
     if let Some(i) = BODY_GROUPS.iter().position(|(group, _)| *group == name) {
         return Some(TrackRef::Group(i));
@@ -274,7 +275,7 @@ pub(crate) fn problems(
     told.collect()
 }
 
-/// As `eml`'s checks report it of a script.
+/// Creates the warning about an unknown player, as the checks of the `eml` crate report it.
 fn unknown_player(name: &str, added: &[&str], span: Span) -> Diagnostic {
     let message = format!("no clause adds a player {}", quoted(name));
     let warning = Diagnostic::warning("eml::unknown-player", span, message);

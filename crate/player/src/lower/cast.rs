@@ -13,7 +13,8 @@ use crate::lower::reach::{self, Reach};
 use crate::lower::units::Units;
 use crate::lower::{manipulators, parameters};
 
-/// The figure that performs, with the measures that lowering and evaluation need.
+/// Performing figure with the measures that lowering and evaluation need: face, units, reach, build
+/// and hands.
 pub(crate) struct Cast {
     pub(crate) figure: Arc<Figure>,
     pub(crate) face: FaceRig,

@@ -5,7 +5,7 @@ use raconteur_base::order::sort_by_number;
 use raconteur_eml::{Document, Fidelity, Lead};
 use raconteur_stage::{EmotionEnvelope, EmotionTimeline};
 
-/// Environment channels that express emotions.
+/// Environment channels (camera, light, music) that express emotions: enabled or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Channels {
     pub(crate) camera: bool,
@@ -33,7 +33,8 @@ impl Channels {
     }
 }
 
-/// Current controller of a channel.
+/// Current controller of an environment channel: a script clause, by its index, or the strongest
+/// emotion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ControlSource {
     /// A cue of the script, by index.

@@ -8,18 +8,18 @@ use crate::Script;
 use crate::lower::anchor::{is_anchor, is_anchor_name};
 use crate::lower::utterance;
 
-/// An event that listeners are notified of.
+/// Event at a story time, such as the start of a word, that listeners are notified of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cue {
-    /// Story time, seconds.
+    /// Time of the event, story time, seconds.
     pub time_secs: f64,
     /// Fragment of a live performance that it belongs to; `None` for the story itself.
     pub fragment: Option<u32>,
-    /// Kind of event.
+    /// Kind of the event, with its data.
     pub kind: CueKind,
 }
 
-/// Kind of event at a cue.
+/// Kind of event that a [`Cue`] reports, for example the start of a word or clause.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CueKind {
     /// A word begins.
@@ -38,17 +38,17 @@ pub enum CueKind {
     },
     /// An utterance begins.
     UtteranceStart {
-        /// Its index.
+        /// Index of the utterance.
         utterance: usize,
     },
     /// An utterance ends.
     UtteranceEnd {
-        /// Its index.
+        /// Index of the utterance.
         utterance: usize,
     },
     /// A marker is reached.
     Mark {
-        /// Its name, from a `timeId` or a `tm`.
+        /// Name of the marker, from a `timeId` or a `tm`.
         name: String,
     },
     /// A clause begins.
@@ -59,21 +59,21 @@ pub enum CueKind {
     ClauseSkipped(ClauseRef),
     /// The script's `event` element.
     StoryEvent {
-        /// Its type.
+        /// Type of the event clause.
         kind: Option<String>,
-        /// Its text; text, never markup.
+        /// Payload of the event; plain text, never markup.
         payload: String,
     },
 }
 
-/// Identification of a clause for listeners.
+/// Identification of a clause for listeners: index, element name and `timeId`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClauseRef {
-    /// Its index among the clauses of its script or fragment, from 0 in document order.
+    /// Index of the clause in its script or fragment, from 0 in document order.
     pub clause: ClauseId,
     /// The name of its element.
     pub element: &'static str,
-    /// Its `timeId`.
+    /// `timeId` of the clause; `None` if it has none.
     pub id: Option<String>,
 }
 
@@ -87,7 +87,7 @@ impl ClauseRef {
     }
 }
 
-/// An utterance of a script with its time, and the data that the page needs to play it.
+/// Utterance of a script with its time and the data that the page needs to play it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UtteranceCue {
     /// The utterance, with words as the script writes them; without sound when it was not baked.
@@ -102,11 +102,11 @@ pub struct UtteranceCue {
     pub voice: Option<String>,
     /// The phone set of its voice, for example `radio`.
     pub phone_set: String,
-    /// Its clause in the document.
+    /// Clause of the utterance in the document.
     pub clause: ClauseId,
 }
 
-/// Every utterance of a script in order of time.
+/// Returns all utterances of a script, sorted by time.
 #[must_use]
 pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
     script
@@ -134,7 +134,7 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
         .collect()
 }
 
-/// The language of the markup that opens before the first word.
+/// Returns the language of markup that opens before the first word; `None` if there is none.
 fn marked_language(voice: &VoiceText) -> Option<&str> {
     let opens = |piece: &TextSegment| match piece {
         TextSegment::Text { text, .. } => text.trim().is_empty(),
@@ -236,7 +236,7 @@ impl RankedCues {
         self.add(Rank::of_end(!lasts), timed.end_secs, end);
     }
 
-    /// Start, end and words of an utterance.
+    /// Adds the cues for start, end and words of an utterance.
     fn add_utterance(&mut self, utterance: usize, cue: &UtteranceCue) {
         let timed = &cue.timed;
         let start = CueKind::UtteranceStart { utterance };
@@ -250,7 +250,7 @@ impl RankedCues {
         }
     }
 
-    /// The markers of a text: each at the start of the next word, or at the end.
+    /// Adds the cues for the markers of a text, each at the start of the next word, or at the end.
     fn add_markers(&mut self, voice: &VoiceText, timed: &TimedUtterance) {
         let words = voice.words();
         for piece in &voice.pieces {

@@ -109,9 +109,9 @@ fn affect(emotion: &Emotion) -> Option<Affect> {
     })
 }
 
-/// The emotion of an emoticon over its phrases, in full at its position. One that ends its text
-/// lasts through the pause behind it, until the next utterance or emotion. `starts` is when
-/// anything is, rising.
+/// Returns the emotion of an emoticon over its phrases, at full strength at its position. At the
+/// end of a text it lasts until the next utterance or emotion. `starts` holds their start times,
+/// ascending.
 fn written(one: &Emoticon, said: &TimedUtterance, starts: &[f64]) -> Option<EmotionSpan> {
     let affect = Affect::named(one.name)?;
     let span = |word: usize| {
@@ -168,8 +168,7 @@ fn utterance_emotion(
     })
 }
 
-/// The emotions that a script elicits, `neutral` among them, by their clauses and of one
-/// clause by start.
+/// Returns the emotions that a script elicits, including `neutral`, by clause and then by start.
 fn elicited(script: &Script) -> Vec<ElicitedEmotion<'_>> {
     let clauses = script.timeline.clauses.iter();
     let found = clauses.filter_map(|timed| {
@@ -309,7 +308,7 @@ mod tests {
         assert_eq!(lowered_emotions(before)[0].1[2], 60.0);
     }
 
-    /// FNV-1a, 64 bits, as keys of utterances without voice and emotion are made.
+    /// Returns the 64-bit FNV-1a key of an utterance without voice and emotion, for tests.
     fn key(text: &str) -> u64 {
         let bytes = [b"\x01\xff", text.as_bytes()].concat();
         let add = |hash: u64, b: &u8| (hash ^ u64::from(*b)).wrapping_mul(0x0100_0000_01b3);

@@ -7,7 +7,7 @@ use raconteur_speech::emotion::{self, EmotionPoint};
 use raconteur_spoken::PLAIN_POTENTIAL;
 use raconteur_stage::{EmotionEnvelope, EmotionType};
 
-/// An emotion of the face, and how strong the events are that elicit it.
+/// Emotion of the face, with the potential (strength) of the events that elicit it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ExpressedEmotion {
     pub(crate) span: EmotionSpan,

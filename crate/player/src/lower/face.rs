@@ -11,7 +11,7 @@ use crate::lower::requirements::Requirements;
 use crate::lower::script::Script;
 use crate::lower::{emotions, parameters};
 
-/// Plans of the face for a script.
+/// Plans of the face for a script: emotions, control parameters and the performer's manner.
 #[derive(Default)]
 pub(crate) struct FacePlan {
     /// Emotions, in any order.
@@ -24,7 +24,7 @@ pub(crate) struct FacePlan {
     pub(crate) character: Option<Performer>,
 }
 
-/// All of a script.
+/// Plans the face for a script and its utterances.
 pub(crate) fn lower(script: &Script, utterances: &[UtteranceCue]) -> FacePlan {
     let clips = Requirements::from_document(&script.document)
         .parameter_animations
@@ -41,10 +41,10 @@ pub(crate) fn lower(script: &Script, utterances: &[UtteranceCue]) -> FacePlan {
 /// default.
 pub(crate) fn manner(character: &Performer, otherwise: Manner) -> Manner {
     Manner {
-        way: match character.expressions {
+        basis: match character.expressions {
             Some(Expressions::Sound) => PlanBasis::Audio,
             Some(Expressions::Text) => PlanBasis::Text,
-            None => otherwise.way,
+            None => otherwise.basis,
         },
         head: character.head.unwrap_or(otherwise.head),
         brows: character.brows.unwrap_or(otherwise.brows),
@@ -86,13 +86,13 @@ mod tests {
             ..Manner::default()
         };
         let expected = Manner {
-            way: PlanBasis::Text,
+            basis: PlanBasis::Text,
             brows: 0.5,
             ..shown
         };
         assert_eq!(manner(&character, shown), expected);
         let plain = Script::read(&text.replace("expressions='text'", ""), None);
         let character = lower(&plain, &[]).character.expect("a character");
-        assert_eq!(manner(&character, shown).way, PlanBasis::Audio);
+        assert_eq!(manner(&character, shown).basis, PlanBasis::Audio);
     }
 }

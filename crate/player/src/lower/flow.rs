@@ -4,14 +4,15 @@ use raconteur_eml::{ClauseKind, TimedClause};
 
 use crate::lower::script::Script;
 
-/// An entry on a path through a story.
+/// Entry of a story's flow, such as a part, condition or jump, with its times; the page decides
+/// which are performed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WayCue {
     /// Position among all entries of the story, which orders simultaneous ones.
     pub order: u32,
     /// Position of the enclosing answer, condition or pool item.
     pub within: Option<u32>,
-    /// Start, seconds.
+    /// Start of the entry, story time, seconds.
     pub at_secs: f64,
     /// End, seconds; equal to the start for entries of zero duration.
     pub end_secs: f64,
@@ -19,7 +20,7 @@ pub struct WayCue {
     pub kind: WayKind,
 }
 
-/// Kind of an entry on a path.
+/// Kind of a flow entry, with its data.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WayKind {
     /// A part of the story.
@@ -33,25 +34,25 @@ pub enum WayKind {
     If {
         /// A variable, a question, or `score`.
         name: String,
-        /// It is this.
+        /// Value that must be equal.
         is: Option<String>,
-        /// It is not this.
+        /// Value that must not be equal.
         not: Option<String>,
-        /// It is greater.
+        /// Lower bound: the value must be greater.
         above: Option<f64>,
-        /// It is smaller.
+        /// Upper bound: the value must be smaller.
         below: Option<f64>,
     },
     /// Assignment of a variable.
     Set {
         /// The variable.
         name: String,
-        /// Its value.
+        /// Value to assign.
         value: Option<String>,
         /// Increment of its number.
         by: Option<f64>,
     },
-    /// Some of the items in it are performed.
+    /// Pool from which some of the contained items are performed.
     Pool {
         /// Number to draw.
         count: u32,
@@ -63,7 +64,7 @@ pub enum WayKind {
     },
     /// A jump to another part of the story.
     Goto {
-        /// Its name.
+        /// Name of the destination part.
         to: String,
     },
 }

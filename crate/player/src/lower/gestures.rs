@@ -24,7 +24,8 @@ fn moment(offset_secs: f64) -> u64 {
     (offset_secs.max(0.0) * 1e6).round() as u64
 }
 
-/// The dominant hand for which a script is written, and that of its performer.
+/// Dominant hands for which a script is written and which the performer has; if they differ,
+/// gestures are mirrored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Hands {
     /// The hand that common values are written for (GEVH 3.5.1, D.5.4).
@@ -56,8 +57,8 @@ impl Hands {
     }
 }
 
-/// The track that moves this hand: its own, else the common one. True when the common
-/// one's values are meant for the other hand and must be mirrored.
+/// Returns the track that moves the hand on a side: its own, or else the common one. The flag is
+/// true if the common values are for the other hand and must be mirrored.
 pub(super) fn track_for<K>(
     tracks: &[Track<K>],
     side: Side,
@@ -102,7 +103,7 @@ fn hand_shape(key: &ShapeKey) -> Option<HandAngles> {
     Some(angles.lerp(other.angles(), share))
 }
 
-/// The interpolator with its control values, where a profile names one.
+/// Returns the motion profile with its control values; `None` if the profile names none.
 fn pace(profile: &Profile) -> Option<Pace> {
     let controls = profile.controls.as_deref().unwrap_or_default();
     Some(match (profile.interpolator?, controls) {
@@ -232,7 +233,7 @@ pub(crate) fn on_spans(switches: &[(f64, bool)]) -> Vec<TimeSpan> {
     spans
 }
 
-/// A script's strokes of one arm.
+/// Returns the gesture strokes of one arm in a script.
 #[must_use]
 pub(crate) fn strokes(
     document: &Document,

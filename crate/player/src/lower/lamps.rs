@@ -16,7 +16,7 @@ pub(crate) const MIN_SECS: f64 = 1.0;
 /// Fade time of an emotion's light, seconds. Designed.
 const MOVE_SECS: f64 = 1.4;
 
-/// A light that a script writes.
+/// Lighting change set by a script: colour, brightness and transition from a time on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LampCue {
     pub(crate) start_secs: f64,
@@ -28,7 +28,7 @@ pub(crate) struct LampCue {
     brightness: Option<f64>,
 }
 
-/// The lights of a script by time.
+/// Returns the lighting changes of a script, sorted by time.
 pub(crate) fn lamps(script: &Script) -> Vec<LampCue> {
     let clauses = script.timeline.clauses.iter();
     clauses
@@ -58,7 +58,7 @@ struct LightState {
     light: Illumination,
 }
 
-/// Expression of emotions by light.
+/// Settings for the expression of emotions by light.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightChannel {
     /// True if emotions control the light unless a script does.
@@ -76,7 +76,7 @@ impl LightChannel {
         }
     }
 
-    /// The light of an emotion.
+    /// Returns the lighting that expresses an emotion; neutral for `None`.
     fn illumination(self, felt: Option<&EmotionEnvelope>) -> Illumination {
         match felt {
             None => self.neutral(),
@@ -86,7 +86,8 @@ impl LightChannel {
     }
 }
 
-/// The lights of a performance by time; before the first, the stage's own.
+/// Lighting of a performance over time, from script and emotions; before its first change, the
+/// set's own.
 #[derive(Default)]
 pub(crate) struct LampSequence {
     own: Illumination,
@@ -94,7 +95,7 @@ pub(crate) struct LampSequence {
 }
 
 impl LampSequence {
-    /// The lights of a performance.
+    /// Builds the lighting of a performance from script cues and emotions.
     pub(crate) fn new(
         mut cues: Vec<LampCue>,
         feelings: &EmotionTimeline,
@@ -137,7 +138,7 @@ impl LampSequence {
         }
     }
 
-    /// The light at a time.
+    /// Returns the lighting at a story time, eased between changes.
     pub(crate) fn sample(&self, time_secs: f64) -> Illumination {
         let begun = self.lit.partition_point(|l| l.start_secs <= time_secs);
         let begun = &self.lit[..begun];

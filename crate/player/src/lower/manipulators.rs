@@ -108,7 +108,7 @@ impl Args<'_> {
         self.number(name).unwrap_or(0.0) * self.units.metres()
     }
 
-    /// Three arguments with one beginning.
+    /// Returns three numeric arguments whose names have a common start; `None` for absent ones.
     fn three(&self, start: &str, ends: [&str; 3]) -> [Option<f64>; 3] {
         ends.map(|end| {
             let mut known = self.args.args.iter().rev();
@@ -266,7 +266,7 @@ fn upright(place: &mut Placement) {
     }
 }
 
-/// A script's commands to manipulators, and moves of the whole figure.
+/// Returns a script's commands to manipulators, and its motions of the whole figure.
 pub(crate) fn script(document: &Document, timeline: &Timeline, units: &Units) -> ManipulatorScript {
     let mut script = ManipulatorScript::default();
     for timed in &timeline.clauses {
@@ -289,7 +289,7 @@ pub(crate) fn script(document: &Document, timeline: &Timeline, units: &Units) ->
     script
 }
 
-/// The commands and moves of all scripts of a performance.
+/// Merges the manipulator commands and figure motions of all scripts of a performance.
 pub(crate) fn together<'a>(
     scripts: impl Iterator<Item = &'a ManipulatorScript>,
 ) -> ManipulatorScript {
@@ -404,7 +404,7 @@ fn loop_without_period(
     })
 }
 
-/// The names of all arguments of a function.
+/// Returns the names of all arguments that a function accepts.
 fn arguments(leads: bool, own: &[&str]) -> Vec<String> {
     let three = |start: &str, ends: [&str; 3]| ends.map(|end| format!("{start}{end}"));
     let mut known = vec!["timePeriod".to_owned()];
@@ -421,7 +421,8 @@ fn arguments(leads: bool, own: &[&str]) -> Vec<String> {
     known
 }
 
-/// The problem of an argument, if it has one: its name, its type or its size.
+/// Returns the diagnostic for an argument with an invalid name, type or size; `None` for a valid
+/// one.
 fn bad_argument(function: &str, arg: &Arg, known: &[String], span: Span) -> Option<Diagnostic> {
     let name = quoted(&arg.name);
     let warning = |code, message: String| Some(Diagnostic::warning(code, span, message));

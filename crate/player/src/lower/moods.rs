@@ -24,7 +24,7 @@ const MAX_OWN_PIECES: usize = 12;
 /// A smaller change of a voice's level is not written.
 const MIN_CHANGE: f64 = 0.03;
 
-/// The valence of a script's word.
+/// Converts the valence of a script to that of the mood.
 pub(crate) fn of_script(valence: raconteur_eml::Valence) -> Valence {
     match valence {
         raconteur_eml::Valence::Negative => Valence::Negative,
@@ -33,7 +33,7 @@ pub(crate) fn of_script(valence: raconteur_eml::Valence) -> Valence {
     }
 }
 
-/// A piece of the author's for a mood.
+/// Piece of music provided by the author for a mood.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct OwnPiece {
     valence: Valence,
@@ -79,10 +79,10 @@ fn tone(mood: &Mood, before: Option<Tone>) -> Tone {
     )
 }
 
-/// Music driven by moods: the emotions, the library's and the author's pieces, and the end of the
+/// Music driven by moods: emotions, pieces of the library and of the author, and the end of the
 /// performance.
 pub(crate) struct MoodMusic<'a> {
-    pub(crate) feelings: &'a EmotionTimeline,
+    pub(crate) emotions: &'a EmotionTimeline,
     pub(crate) repertoire: Repertoire,
     pub(crate) own: &'a [OwnPiece],
     /// True if moods control the music initially.
@@ -94,7 +94,7 @@ impl MoodMusic<'_> {
     /// Returns the music of a performance by time: the script's, and the mood's where the script
     /// does not control it. A story without emotion has no mood music.
     pub(crate) fn music(&self, script: Vec<MusicClause>) -> Vec<MusicClause> {
-        if self.feelings.all().is_empty() {
+        if self.emotions.all().is_empty() {
             return script
                 .into_iter()
                 .filter(|c| c.by == Lead::Script)
@@ -121,15 +121,15 @@ impl MoodMusic<'_> {
         led
     }
 
-    /// The music of the mood from one time to another.
+    /// Adds the music that follows the mood from one time to another.
     fn follow(&self, from_secs: f64, to_secs: f64, led: &mut Vec<MusicClause>) {
         let step_secs = STEP_SECS.max((to_secs - from_secs) / MAX_STEPS);
-        let mut now = tone(&self.feelings.mood(from_secs), None);
+        let mut now = tone(&self.emotions.mood(from_secs), None);
         let mut begun_secs = from_secs;
         let mut t = from_secs;
         while t < to_secs {
             t += step_secs;
-            let next = tone(&self.feelings.mood(t), Some(now));
+            let next = tone(&self.emotions.mood(t), Some(now));
             if self.bar(next) == self.bar(now) || t < begun_secs + MIN_SECS {
                 continue;
             }
@@ -165,7 +165,7 @@ impl MoodMusic<'_> {
         }
     }
 
-    /// The piece of a tone from one time to another.
+    /// Returns the music for a mood from one time to another.
     fn clause(&self, tone: Tone, from_secs: f64, to_secs: f64) -> MusicClause {
         let voices = match self.own_piece(tone) {
             Some(own) => vec![MusicStem {
@@ -194,7 +194,7 @@ impl MoodMusic<'_> {
         let mut line: Vec<(f64, f64)> = Vec::new();
         let mut t = from_secs;
         while t < to_secs + step_secs {
-            let share = self.feelings.mood(t).activity();
+            let share = self.emotions.mood(t).activity();
             if line
                 .last()
                 .is_none_or(|(_, l)| (l - share).abs() >= MIN_CHANGE)
@@ -242,7 +242,7 @@ mod tests {
     ) -> Vec<(f64, String)> {
         let feelings = EmotionTimeline::new(felt);
         let scoring = MoodMusic {
-            feelings: &feelings,
+            emotions: &feelings,
             repertoire: REPERTOIRE,
             own,
             follows: true,

@@ -21,7 +21,7 @@ const RETURN_SECS: f64 = 0.9;
 /// Shortest fade, seconds, which prevents clicks at abrupt starts and ends.
 const CLICK_SECS: f64 = 0.01;
 
-/// A piece of music at its time.
+/// Piece of music with its times and level; the page plays it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MusicCue {
     /// Story time at which the piece begins, seconds.
@@ -35,12 +35,12 @@ pub struct MusicCue {
     pub library: bool,
     /// True if it repeats.
     pub loops: bool,
-    /// Its level at story times, by time: 1 is as recorded. Straight between them, and
-    /// before the first and after the last as there.
+    /// Level at story times (seconds), in order; 1 is as recorded. It is linear between them and
+    /// constant outside.
     pub level: Vec<(f64, f64)>,
 }
 
-/// The music of a script by time.
+/// Returns the music clauses of a script, sorted by time.
 pub(crate) fn clauses(script: &Script) -> Vec<MusicClause> {
     let clauses = script.timeline.clauses.iter();
     clauses
@@ -73,7 +73,8 @@ pub(crate) fn clauses(script: &Script) -> Vec<MusicClause> {
         .collect()
 }
 
-/// The audible pieces by time, from clauses by time, with their level under all utterances.
+/// Returns the audible pieces sorted by time, from clauses sorted by time, with levels lowered
+/// under all utterances.
 pub(crate) fn cues<'a>(
     clauses: &[MusicClause],
     utterances: impl Iterator<Item = &'a UtteranceCue>,
@@ -155,7 +156,7 @@ fn on_line(line: &[(f64, f64)], time_secs: f64) -> Option<f64> {
     }
 }
 
-/// From 0 at one time to 1 at a later one, straight.
+/// Returns a linear ramp: 0 at time `from`, 1 at a later time `to`.
 fn ramp(t: f64, from: f64, to: f64) -> f64 {
     if from.is_infinite() {
         return 0.0;
@@ -164,7 +165,7 @@ fn ramp(t: f64, from: f64, to: f64) -> f64 {
 }
 
 impl MusicCue {
-    /// The level at a story time; 0 before the piece begins and after it has ended.
+    /// Returns the level at a story time, seconds; 0 before the piece begins and after it ends.
     #[must_use]
     pub fn level_at(&self, time_secs: f64) -> f64 {
         if !(self.start_secs..self.end_secs).contains(&time_secs) {

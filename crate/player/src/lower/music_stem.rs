@@ -2,7 +2,7 @@
 
 use raconteur_eml::Lead;
 
-/// One of the files that make a piece of music.
+/// Stem of a piece of music: one of the files that play together, with its share over time.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MusicStem {
     pub(crate) file: String,
@@ -13,7 +13,7 @@ pub(crate) struct MusicStem {
     pub(crate) share: Vec<(f64, f64)>,
 }
 
-/// Music from a time on.
+/// Music that plays from a time on: stems, volume and fade.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MusicClause {
     pub(crate) start_secs: f64,
@@ -26,7 +26,7 @@ pub(crate) struct MusicClause {
 }
 
 impl MusicClause {
-    /// Music fades to silence.
+    /// Creates a clause that fades the music to silence.
     pub(crate) fn silence(start_secs: f64, fade_secs: f64) -> Self {
         Self {
             start_secs,

@@ -52,7 +52,7 @@ pub(crate) fn missed(
     found
 }
 
-/// One arm of a performance.
+/// Arm of a performance with its gesture plan, for checking palm orientations.
 struct Arm<'a> {
     side: Side,
     rig: &'a ArmRig,
@@ -115,7 +115,8 @@ impl Arm<'_> {
     }
 }
 
-/// One warning a gesture: for the palm that is farthest off.
+/// Returns a warning for the palm of a gesture that deviates most from its requested orientation;
+/// `None` without any.
 fn worst(missed: &[MissedPalm]) -> Option<Diagnostic> {
     let palm = missed
         .iter()

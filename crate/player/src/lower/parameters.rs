@@ -5,10 +5,10 @@ use raconteur_eml::{
     AdsrControlParameter, ClauseKind, Diagnostic, Document, Span, Timeline, nearest, quoted,
 };
 
-/// Most unknown names that are reported.
+/// Maximum number of unknown names that are reported.
 const MAX_REPORTED: usize = 100;
 
-/// A script's commands to control parameters, by time. Unknown names are left out:
+/// Returns a script's commands to control parameters, sorted by time. Unknown names are omitted;
 /// [`problems`] reports them.
 pub(crate) fn commands(document: &Document, timeline: &Timeline) -> Vec<(f64, ParameterCommand)> {
     let mut commands = Vec::new();

@@ -21,7 +21,8 @@ use crate::lower::script::Script;
 use crate::lower::shots::{self, ShotCue};
 use crate::lower::visibility::{self, Switch};
 
-/// The plans of a story, or of a fragment of a live performance.
+/// Script or live fragment, compiled for one figure: plans of gestures, face, camera, light, music
+/// and cues.
 pub(crate) struct ScriptPlan {
     /// Strokes of the left and right arm.
     pub(crate) strokes: [Vec<GestureStroke>; 2],
@@ -86,11 +87,11 @@ impl ScriptPlan {
     }
 }
 
-/// Commands of forgotten fragments that stay in force, by time.
+/// Commands of forgotten live fragments that remain in force, sorted by time.
 #[derive(Default)]
 pub(crate) struct CarriedCommands {
-    /// To animation players.
+    /// Commands to animation players, with their times.
     pub(crate) players: Vec<(f64, PlayerCommand)>,
-    /// To control parameters.
+    /// Commands to control parameters, with their times.
     pub(crate) parameters: Vec<(f64, ParameterCommand)>,
 }

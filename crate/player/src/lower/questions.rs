@@ -4,7 +4,7 @@ use raconteur_eml::{AskKind, AskOption, ClauseKind};
 
 use crate::lower::script::Script;
 
-/// A question, with the position of its reactions in the story.
+/// Question of a lesson at its story time, with the position of the reactions to its answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuestionCue {
     /// Position among all entries of the story, which orders simultaneous ones.
@@ -17,7 +17,7 @@ pub struct QuestionCue {
     pub end_secs: f64,
     /// Name, the key of its results.
     pub name: String,
-    /// Answer type.
+    /// Type of answer that the question expects.
     pub kind: AskKind,
     /// Displayed text of the question.
     pub prompt: String,
@@ -37,20 +37,20 @@ pub struct QuestionCue {
     pub hint: Option<String>,
     /// Text shown after the final answer.
     pub feedback: FeedbackCue,
-    /// Time limit, seconds.
+    /// Time limit for an answer, seconds; `None` for unlimited.
     pub limit_secs: Option<f64>,
     /// Possible answers, in order.
     pub options: Vec<OptionCue>,
-    /// Reactions, in order.
+    /// Reactions to the answers, in order.
     pub answers: Vec<AnswerCue>,
 }
 
-/// An image of a question or an option.
+/// Image of a question or an option, with its text alternative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureCue {
     /// Path of its file, relative to the story's folder and inside it.
     pub file: String,
-    /// Text alternative.
+    /// Text alternative of the image.
     pub alt: String,
 }
 
@@ -63,10 +63,10 @@ impl PictureCue {
     }
 }
 
-/// Texts shown after the final answer, if the author provides them.
+/// Feedback texts shown after the final answer, if the author provides them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FeedbackCue {
-    /// After any answer.
+    /// Text shown after any answer.
     pub any: Option<String>,
     /// Replacement after a right answer.
     pub right: Option<String>,
@@ -74,27 +74,27 @@ pub struct FeedbackCue {
     pub wrong: Option<String>,
 }
 
-/// A possible answer, or a rule for accepted answers.
+/// Possible answer of a question, or a rule for accepted answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OptionCue {
-    /// Its name.
+    /// Name of the option, reported with the answer.
     pub name: String,
-    /// Displayed text.
+    /// Displayed text of the option.
     pub text: String,
     /// Image shown with it.
     pub picture: Option<PictureCue>,
     /// True if it is a right answer.
     pub is_right: bool,
-    /// Its right partner, of `match`.
+    /// Correct partner of the option, for questions of type `match`.
     pub partner: Option<String>,
     /// Accepted texts, for `gap` and `text`.
     pub accepts: Vec<String>,
     /// Texts that must not occur, for `text`.
     pub rejects: Vec<String>,
-    /// Smallest accepted number.
-    pub least: Option<f64>,
-    /// Largest accepted number.
-    pub most: Option<f64>,
+    /// Smallest accepted number, for questions of type `number`.
+    pub min: Option<f64>,
+    /// Largest accepted number, for questions of type `number`.
+    pub max: Option<f64>,
     /// The bone that is pointed at.
     pub at: Option<String>,
 }
@@ -116,28 +116,28 @@ impl OptionCue {
             partner: option.partner.clone(),
             accepts: texts(&option.accepts),
             rejects: texts(&option.rejects),
-            least: option.least,
-            most: option.most,
+            min: option.least,
+            max: option.most,
             at: option.at.clone(),
         }
     }
 }
 
-/// Reaction to an answer.
+/// Reaction to an answer: the times in the story at which it is performed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnswerCue {
     /// Position among all entries of the story.
     pub order: u32,
     /// `right`, `wrong`, `answered`, or the name of an option.
     pub to: String,
-    /// Start, seconds.
+    /// Start of the reaction, story time, seconds.
     pub start_secs: f64,
-    /// End, seconds.
+    /// End of the reaction, story time, seconds.
     pub end_secs: f64,
 }
 
 impl Script {
-    /// The questions, by time.
+    /// Returns the questions of the script, sorted by time.
     #[must_use]
     pub fn questions(&self) -> Vec<QuestionCue> {
         let timed = &self.timeline.clauses;

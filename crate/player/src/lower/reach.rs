@@ -13,13 +13,13 @@ use raconteur_eml::{
 use crate::lower::gestures::{Hands, offset_secs, position, track_for};
 use crate::lower::units::Units;
 
-/// Reach of a figure's arms and legs.
+/// Reach of a figure's arms and legs; used to warn of unreachable positions.
 pub(crate) struct Reach {
-    /// Left and right, world, metres.
+    /// Shoulder joints, left and right, world, metres.
     pub(crate) shoulders_in_world: [DVec3; 2],
     /// Length of an arm to the wrist, metres.
     pub(crate) arm_m: f64,
-    /// Left and right, world, metres.
+    /// Hip joints, left and right, world, metres.
     pub(crate) hips_in_world: [DVec3; 2],
     /// Length of a leg to the ankle, metres.
     pub(crate) leg_m: f64,

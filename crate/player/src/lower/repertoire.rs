@@ -10,7 +10,7 @@ use crate::lower::music_stem::MusicStem;
 /// Random stream of the choice of music; other uses of the seed have other numbers.
 const CHOICE: u64 = 0x6d75_7369;
 
-/// A piece of the library: a loop, and the additional stems of arousal.
+/// Piece of music in the library: a loop with a second stem that arousal adds.
 #[derive(Debug, PartialEq)]
 pub(crate) struct LibraryPiece {
     pub(crate) name: &'static str,
@@ -31,7 +31,7 @@ static POSITIVE: [LibraryPiece; 3] = [
     piece("positive-reel", 4.0, 144.0),
     piece("positive-waltz", 3.0, 150.0),
 ];
-/// Of medium tempo.
+/// Neutral pieces, of medium tempo.
 static NEUTRAL: [LibraryPiece; 3] = [
     piece("neutral", 4.0, 100.0),
     piece("neutral-stroll", 4.0, 96.0),
@@ -44,7 +44,7 @@ static NEGATIVE: [LibraryPiece; 3] = [
     piece("negative-heavy", 4.0, 60.0),
 ];
 
-/// The pieces of `assets/music` that are for a valence.
+/// Returns the pieces of `assets/music` for a valence.
 fn library(valence: Valence) -> &'static [LibraryPiece; 3] {
     match valence {
         Valence::Positive => &POSITIVE,
@@ -54,7 +54,8 @@ fn library(valence: Valence) -> &'static [LibraryPiece; 3] {
 }
 
 impl LibraryPiece {
-    /// Its voices, those that arousal adds at a level over story time.
+    /// Returns the stems of the piece; the one for arousal follows the level `rise` over story
+    /// time.
     pub(crate) fn voices(&self, rise: Vec<(f64, f64)>) -> Vec<MusicStem> {
         let voice = |ending: &str, share| MusicStem {
             file: format!("{}{ending}.opus", self.name),
@@ -66,7 +67,7 @@ impl LibraryPiece {
     }
 }
 
-/// Library pieces of a performance: one of each valence, drawn by its seed.
+/// Selection of library pieces for a performance: one for each valence, drawn by its seed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Repertoire {
     seed: u64,
@@ -83,7 +84,7 @@ impl Repertoire {
         Self::new(own.map_or(otherwise, u64::from))
     }
 
-    /// The piece of a valence: the same throughout the performance.
+    /// Returns the piece for a valence, the same throughout the performance.
     pub(crate) fn piece(self, valence: Valence) -> &'static LibraryPiece {
         let pieces = library(valence);
         let drawn = noise::hash(self.seed, CHOICE, valence as i64);

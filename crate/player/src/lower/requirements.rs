@@ -5,10 +5,10 @@ use raconteur_eml::{
     Clause, ClauseKind, Document, LoadControlParameterAnimation, PrimitiveKind, Span,
 };
 
-/// Most animations of control parameters that a script may use; more are left out.
+/// Maximum number of control parameter animations in a script; further ones are omitted.
 const MAX_PARAMETER_ANIMATIONS: usize = 100;
 
-/// Resources that a document requires, each name once, with the first clause that requires it.
+/// Animations that a document requires, each name once, with the first clause that requires it.
 #[derive(Default)]
 pub(crate) struct Requirements<'d> {
     /// Animations of the body: from the library by name, next to the story by path.
@@ -19,12 +19,13 @@ pub(crate) struct Requirements<'d> {
 
 /// Resource required by one clause.
 enum Requirement<'d> {
-    /// All that it needs is here.
+    /// The clause requires no animation.
     Nothing,
     BodyAnimation(&'d str),
     /// An animation of control parameters under the name of its text.
     LoadedParameters(&'d str),
-    /// One under the name by which it was loaded, else of the library.
+    /// Control parameter animation, by the name under which it was loaded or by its name in the
+    /// library.
     PlayedParameters(&'d str),
 }
 
@@ -54,7 +55,7 @@ impl<'d> Requirements<'d> {
         needs
     }
 
-    /// All animations, those of control parameters first.
+    /// Returns the names of all required animations, those of control parameters first.
     pub(crate) fn animations(&self) -> impl Iterator<Item = &'d str> {
         let parameters = self.parameter_animations.iter();
         parameters

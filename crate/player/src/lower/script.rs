@@ -15,14 +15,15 @@ use crate::lower::requirements::Requirements;
 use crate::lower::voice::{KnownDurations, Voices};
 use crate::options::{LanguageTag, Options};
 
-/// A script with everything resolved that needs no figure.
+/// Script with everything resolved that does not depend on the figure: document, timeline, speech
+/// and diagnostics.
 #[derive(Clone, Debug)]
 pub struct Script {
-    /// Parsed document.
+    /// Parsed EML document.
     pub document: Document,
-    /// Timeline.
+    /// Times of all clauses.
     pub timeline: Timeline,
-    /// Problems.
+    /// Problems found in the script and its speech bundle.
     pub diagnostics: Vec<Diagnostic>,
     /// The speech, where it was baked.
     pub(crate) bundle: Option<Arc<Bundle>>,
@@ -38,7 +39,7 @@ pub struct Script {
     pub(crate) repertoire: Repertoire,
 }
 
-/// Stage of loading a story, so a page can report the stage that failed.
+/// Stage of loading a story, reported as progress so that a page can name the stage that failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LoadStage {
     /// The script's text.
@@ -49,7 +50,7 @@ pub enum LoadStage {
     Performance,
 }
 
-/// Sources of a script's times in addition to its text.
+/// Sources of a script's durations in addition to its text: speech bundle and animation library.
 pub(crate) struct TimingSources<'a> {
     pub(crate) bundle: Option<Arc<Bundle>>,
     pub(crate) library: &'a Library,
@@ -63,7 +64,7 @@ impl Script {
         Self::read_with_progress(eml, bundle_json, &mut |_| ())
     }
 
-    /// [`Script::read`]; calls `progress` as each stage begins.
+    /// Reads a script like [`Script::read`] and calls `progress` as each stage begins.
     pub(crate) fn read_with_progress(
         eml: &str,
         bundle_json: Option<&[u8]>,
@@ -235,7 +236,8 @@ impl Script {
         needs.animations().map(str::to_owned).collect()
     }
 
-    /// The baked utterance of a clause, if there is one.
+    /// Returns the baked utterance (synthesised ahead of time) of a clause; `None` if there is
+    /// none.
     pub(crate) fn utterance(&self, clause: ClauseId) -> Option<&Arc<Utterance>> {
         self.voices.match_clauses(clause, self.bundle.as_deref())
     }
@@ -262,7 +264,7 @@ impl Script {
             .or(self.page_language.as_ref().map(LanguageTag::as_str))
     }
 
-    /// The voice that the script names for a clause.
+    /// Returns the voice that the script names for a clause; `None` if it names none.
     pub(crate) fn named_voice(&self, clause: ClauseId) -> Option<&str> {
         self.voices.named(clause)
     }

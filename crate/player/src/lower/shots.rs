@@ -19,7 +19,7 @@ const MOVE_SECS: f64 = 2.0;
 /// smaller change would be a jump cut (30° rule), so the camera moves instead.
 const CUT_STEPS: i32 = 2;
 
-/// A shot set by a script.
+/// Camera shot set by a script: size, angle and transition from a time on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ShotCue {
     pub(crate) start_secs: f64,
@@ -31,7 +31,7 @@ pub(crate) struct ShotCue {
     angle: Option<Angle>,
 }
 
-/// The shots of a script by time.
+/// Returns the camera shots of a script, sorted by time.
 pub(crate) fn shots(script: &Script) -> Vec<ShotCue> {
     let clauses = script.timeline.clauses.iter();
     clauses
@@ -59,7 +59,7 @@ pub(crate) fn shots(script: &Script) -> Vec<ShotCue> {
         .collect()
 }
 
-/// The shot from a time on.
+/// Camera shot from a time on, with the end of the transition to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CameraShot {
     pub(crate) start_secs: f64,
@@ -68,46 +68,46 @@ pub(crate) struct CameraShot {
     pub(crate) shot: Shot,
     pub(crate) angle: Angle,
     /// True if an emotion requests it: it keeps hands in frame, however close it is.
-    pub(crate) is_felt: bool,
+    pub(crate) is_by_emotion: bool,
     /// True if the script sets it.
     pub(crate) is_written: bool,
 }
 
-/// Inputs of a performance's shot plan.
+/// Inputs of a performance's shot plan: default shot, script cues, emotions and settings.
 pub(crate) struct ShotPlanInput<'a> {
     /// Default shot, at eye height.
     pub(crate) usual: Shot,
     /// Scripted shots.
     pub(crate) cues: Vec<ShotCue>,
     /// Emotions.
-    pub(crate) feelings: &'a EmotionTimeline,
+    pub(crate) emotions: &'a EmotionTimeline,
     /// True if emotions control the camera unless a script does.
     pub(crate) follows: bool,
     /// True if the camera moves; false if it only cuts.
     pub(crate) moves: bool,
 }
 
-/// The shots of a performance by time, of which there is always one.
+/// Camera shots of a performance, sorted by time; at least one.
 pub(crate) struct ShotSequence {
     first: CameraShot,
     later: Vec<CameraShot>,
 }
 
 impl ShotSequence {
-    /// The shots of a performance.
+    /// Plans the camera shots of a performance.
     pub(crate) fn new(mut shooting: ShotPlanInput<'_>) -> Self {
         sort_by_number(&mut shooting.cues, |c| c.start_secs);
         let ShotPlanInput { usual, cues, .. } = &shooting;
         let leads: Vec<(f64, Lead)> = cues.iter().map(|c| (c.start_secs, c.by)).collect();
         let same =
             |a: Option<&EmotionEnvelope>, b: Option<&EmotionEnvelope>| shot_for(a) == shot_for(b);
-        let taken = leaders(&leads, shooting.feelings, shooting.follows, MIN_SECS, same);
+        let taken = leaders(&leads, shooting.emotions, shooting.follows, MIN_SECS, same);
         let first = CameraShot {
             start_secs: f64::NEG_INFINITY,
             settled_secs: f64::NEG_INFINITY,
             shot: *usual,
             angle: Angle::Eye,
-            is_felt: false,
+            is_by_emotion: false,
             is_written: false,
         };
         let mut now = first;
@@ -135,7 +135,7 @@ impl ShotSequence {
                 settled_secs: start_secs + transition_secs,
                 shot,
                 angle,
-                is_felt,
+                is_by_emotion: is_felt,
                 is_written: matches!(leader, ControlSource::Script(_)),
             };
             now
@@ -146,7 +146,7 @@ impl ShotSequence {
         }
     }
 
-    /// The settled shot at a time, and those in transition.
+    /// Returns the settled shot at a time, and the shots in transition.
     fn transition_at(&self, time_secs: f64) -> (&CameraShot, &[CameraShot]) {
         let begun = self.later.partition_point(|v| v.start_secs <= time_secs);
         let begun = &self.later[..begun];
@@ -163,7 +163,7 @@ impl ShotSequence {
         moving.last().unwrap_or(base)
     }
 
-    /// Every shot after the first, by time.
+    /// Returns all shots after the first, sorted by time.
     pub(crate) fn later(&self) -> &[CameraShot] {
         &self.later
     }
@@ -176,7 +176,8 @@ impl ShotSequence {
     /// Returns true if the shots at a time make room for hands.
     pub(crate) fn makes_room(&self, time_secs: f64) -> bool {
         let (base, moving) = self.transition_at(time_secs);
-        let is_close = |v: &CameraShot| nearness(v.shot) > nearness(Shot::Medium) && !v.is_felt;
+        let is_close =
+            |v: &CameraShot| nearness(v.shot) > nearness(Shot::Medium) && !v.is_by_emotion;
         !is_close(base) && !moving.iter().any(is_close)
     }
 
@@ -222,7 +223,7 @@ mod tests {
         ShotSequence::new(ShotPlanInput {
             usual: Shot::Medium,
             cues: shots(&script),
-            feelings: &EmotionTimeline::default(),
+            emotions: &EmotionTimeline::default(),
             follows: true,
             moves: true,
         })

@@ -12,7 +12,8 @@ use raconteur_body::{Bone, Skeleton};
 const SHOULDERS_ABOVE_ORIGIN: f64 = 24.70;
 const SHOULDERS_BEHIND_ORIGIN: f64 = 1.46;
 
-/// Mapping of EML's coordinates for one figure at its place.
+/// Conversion from EML coordinates (skeleton units, z to the back) to the engine's (metres, z to
+/// the front) for one figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
     metres_per_unit: f64,
@@ -39,13 +40,13 @@ impl Units {
         }
     }
 
-    /// A direction or displacement in EML axes, in engine axes; not scaled.
+    /// Converts a direction or displacement from EML axes to engine axes, without scaling.
     #[must_use]
     pub fn axis(eml: [f64; 3]) -> DVec3 {
         DVec3::new(eml[0], eml[1], -eml[2])
     }
 
-    /// Metres in one unit.
+    /// Returns the length of one EML unit, metres.
     #[must_use]
     pub fn metres(&self) -> f64 {
         self.metres_per_unit
@@ -61,20 +62,21 @@ impl Units {
         [-yaw, -pitch, roll]
     }
 
-    /// An angular velocity in degrees a second about EML's axes, radians a second.
+    /// Converts an angular velocity about EML's axes, degrees per second, to engine axes, rad/s.
     #[must_use]
     pub fn angular(eml_deg: [f64; 3]) -> DVec3 {
         let [x, y, z] = eml_deg.map(f64::to_radians);
         DVec3::new(-x, -y, z)
     }
 
-    /// A point in the speaker's coordinates (origin: sacroiliac), in world metres.
+    /// Converts a point in speaker coordinates (origin: sacroiliac) to world coordinates, metres.
     #[must_use]
     pub fn speaker_point(&self, eml: [f64; 3]) -> DVec3 {
         self.speaker_origin_in_world + Self::axis(eml) * self.metres_per_unit
     }
 
-    /// A point in EML's world coordinates (origin: the floor under the figure), in metres.
+    /// Converts a point in EML's world coordinates (origin: the floor under the figure) to engine
+    /// coordinates, metres.
     #[must_use]
     pub fn world_point(&self, eml: [f64; 3]) -> DVec3 {
         Self::axis(eml) * self.metres_per_unit

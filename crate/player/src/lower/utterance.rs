@@ -22,8 +22,8 @@ pub(crate) fn utterance_of(
     }
 }
 
-/// A baked utterance with the words as the script writes them. Only the bundle has the words
-/// of files and of SABLE documents.
+/// Returns a baked utterance (synthesised ahead of time) with the words as the script writes them.
+/// Words of files and SABLE documents come only from the bundle.
 fn as_written(text: &VoiceText, baked: &Arc<Utterance>) -> Arc<Utterance> {
     let written = text.words();
     let mut pairs = written.iter().zip(&baked.words);
@@ -42,7 +42,7 @@ fn as_written(text: &VoiceText, baked: &Arc<Utterance>) -> Arc<Utterance> {
     utterance
 }
 
-/// The words of a text at their estimated times.
+/// Returns an utterance with the words of a text at their estimated times.
 fn estimated(text: &VoiceText, timing: &VoiceTiming, language: Option<&str>) -> Utterance {
     let words = text.words().into_iter().zip(&timing.words);
     let words: Vec<Word> = words

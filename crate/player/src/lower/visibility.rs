@@ -9,10 +9,10 @@ use raconteur_stage::{Fill, Visibility};
 /// the initial state.
 const MAX_SWITCHES: usize = 256;
 
-/// A switch and its time, story seconds.
+/// Visibility change of the figure, with its story time, seconds.
 pub(crate) type Switch = (f64, ConfigureGeometry);
 
-/// Visibility switches of a performance, and the resulting state at any time.
+/// Visibility changes of a performance; gives the visible parts of the figure at any time.
 #[derive(Default)]
 pub(crate) struct VisibilityTrack {
     /// The drawing before the first switch.
@@ -62,7 +62,7 @@ impl VisibilityTrack {
         }
     }
 
-    /// The drawing at a time.
+    /// Returns the visibility of body and bones at a story time, seconds.
     pub(crate) fn sample(&self, time_secs: f64) -> Visibility {
         let mut shown = self.before;
         for (.., switch) in self.switches.iter().take_while(|(_, t, _)| *t <= time_secs) {

@@ -10,7 +10,7 @@ use raconteur_eml::{
 use raconteur_speech::{Bundle, Utterance};
 use raconteur_spoken::spoken_clauses;
 
-/// The utterances of a bundle that belong to the clauses of a document.
+/// Mapping from the clauses of a document to the utterances of a speech bundle.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Voices {
     /// Baked utterances, by clause.
@@ -43,14 +43,14 @@ impl Voices {
         Self { found, named }
     }
 
-    /// The voice that the script names for a clause.
+    /// Returns the voice that the script names for a clause; `None` if it names none.
     pub(crate) fn named(&self, clause: ClauseId) -> Option<&str> {
         let place = self.named.partition_point(|(id, _)| *id < clause);
         let (_, voice) = self.named.get(place).filter(|(id, _)| *id == clause)?;
         Some(voice)
     }
 
-    /// The utterance of a clause.
+    /// Returns the utterance of a clause in a bundle; `None` if it has none.
     pub(crate) fn match_clauses<'b>(
         &self,
         clause: ClauseId,
@@ -62,8 +62,8 @@ impl Voices {
     }
 }
 
-/// Answers the timeline from a speech bundle, by estimate where the bundle is silent, and
-/// from a library of animations.
+/// Durations for the timeline: of speech from a bundle, or estimated where it has none, and of
+/// animations from a library.
 pub(crate) struct KnownDurations<'a> {
     pub(crate) bundle: Option<&'a Bundle>,
     pub(crate) voices: &'a Voices,

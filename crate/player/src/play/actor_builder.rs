@@ -14,16 +14,16 @@ use crate::options::Options;
 /// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
 const HAND_LENGTH: f64 = 0.12;
 
-/// Framing requirements of a performance.
+/// Framing requirements of a performance: the margin that gestures need, and their times.
 #[derive(Clone, Debug)]
 pub(crate) struct FramingNeeds {
     /// Room for everything that the hands do.
-    pub(crate) room: FramingMargin,
+    pub(crate) margin: FramingMargin,
     /// Gestures, with their times.
     pub(crate) gestures: Vec<Gesture>,
 }
 
-/// Inputs for building an actor.
+/// Inputs for preparing an actor: figure, options, animations and carried commands.
 pub(crate) struct ActorBuilder<'a> {
     pub(crate) cast: &'a Cast,
     pub(crate) options: &'a Options,
@@ -31,7 +31,7 @@ pub(crate) struct ActorBuilder<'a> {
     /// Persistent state of removed fragments.
     pub(crate) carried: &'a CarriedCommands,
     /// Minimum framing margin, so the framing does not change with every gesture.
-    pub(crate) least_room: FramingMargin,
+    pub(crate) min_margin: FramingMargin,
 }
 
 impl ActorBuilder<'_> {
@@ -44,7 +44,7 @@ impl ActorBuilder<'_> {
         let stature_m = skeleton.stature_m();
         let needs = self.needs(plans.clone(), stature_m);
         let shot = self.options.shot;
-        let camera = shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, needs.room);
+        let camera = shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, needs.margin);
         let performance = self.performance(plans, camera.eye_in_world);
         (Actor::new(&performance, skeleton), needs)
     }
@@ -71,12 +71,12 @@ impl ActorBuilder<'_> {
             .collect();
         let room = gestures
             .iter()
-            .fold(self.least_room, |room, g| FramingMargin {
+            .fold(self.min_margin, |room, g| FramingMargin {
                 top_m: room.top_m.max(g.space.top_m),
                 half_width_m: room.half_width_m.max(g.space.half_width_m),
                 ..room
             });
-        let least = self.options.room;
+        let least = self.options.margin;
         if least != FramingMargin::default() {
             gestures.push(Gesture {
                 from_secs: f64::NEG_INFINITY,
@@ -93,7 +93,10 @@ impl ActorBuilder<'_> {
         }
         let commands = self.player_commands(plans);
         gestures.extend(clips::spaces(&commands, self.library, stature_m));
-        FramingNeeds { room, gestures }
+        FramingNeeds {
+            margin: room,
+            gestures,
+        }
     }
 
     /// Returns the commands of all plans to animation players.

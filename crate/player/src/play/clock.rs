@@ -1,6 +1,7 @@
 //! Progress of a performance and of its delivered cues.
 
-/// Progress of a performance. Times are story time, seconds.
+/// Playback clock of a performance: current time and the time up to which cues were delivered.
+/// Times are story time, seconds.
 pub(crate) struct Clock {
     /// Cues up to this time have passed.
     passed_secs: f64,
@@ -28,7 +29,7 @@ impl Clock {
         self.passed_secs
     }
 
-    /// The time up to which cues have been delivered.
+    /// Returns the time up to which cues have been delivered, story time, seconds.
     pub(crate) fn reported_secs(&self) -> f64 {
         self.delivered_until_secs
     }

@@ -16,7 +16,7 @@ use super::actor_builder::FramingNeeds;
 
 /// Time in which the body changes over, seconds. Designed: as quick as a flinch is slow.
 const BODY_SECS: f64 = 0.4;
-/// The same for eyes, lids and mouth, seconds: the silence that begins every baked utterance.
+/// Cross-fade time of eyes, lids and mouth, seconds: the silence that begins every baked utterance.
 const FACE_SECS: f64 = 0.12;
 /// Cross-fade of the framing, seconds. Designed: a calm zoom.
 const ROOM_SECS: f64 = 1.2;
@@ -30,7 +30,7 @@ struct FadingActor {
     needs: FramingNeeds,
 }
 
-/// The actors of a performance by time. There is always one.
+/// Successive actors of a performance, cross-faded when live clauses change it; at least one.
 pub(crate) struct ActorCrossfade {
     first: FadingActor,
     later: Vec<FadingActor>,
@@ -38,7 +38,7 @@ pub(crate) struct ActorCrossfade {
     room: EvaluatedPose,
 }
 
-/// Output of an actor's evaluation.
+/// Pose and morph weights computed by an actor at one time.
 pub(crate) struct EvaluatedPose {
     pub(crate) pose: Pose,
     pub(crate) morph_weights: Vec<f32>,
@@ -90,14 +90,14 @@ impl ActorCrossfade {
         }
     }
 
-    /// The actor of the latest performance.
+    /// Returns the actor of the latest version of the performance.
     pub(crate) fn actor(&self) -> &Actor {
         &self.last().actor
     }
 
     /// Returns the framing that the last actor needs.
     pub(crate) fn last_margin(&self) -> FramingMargin {
-        self.last().needs.room
+        self.last().needs.margin
     }
 
     fn last(&self) -> &FadingActor {
@@ -130,7 +130,7 @@ impl ActorCrossfade {
     ) -> FramingMargin {
         let of = |layer: &FadingActor| FramingMargin {
             span: rest.visible_span(&layer.needs.gestures, zoom, time_secs, stature_m, aspect),
-            ..layer.needs.room
+            ..layer.needs.margin
         };
         self.later.iter().fold(of(&self.first), |room, layer| {
             let to = of(layer);

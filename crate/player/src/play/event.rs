@@ -26,7 +26,7 @@ pub enum Event {
         utterance: usize,
         /// Index of the word in it.
         word: usize,
-        /// As written, punctuation attached.
+        /// Word as written, with punctuation.
         text: String,
         /// End, story time, seconds.
         end_secs: f64,
@@ -40,7 +40,7 @@ pub enum Event {
         fragment: Option<u32>,
         /// Index of the utterance.
         utterance: usize,
-        /// Its symbol in the voice's phone set.
+        /// Symbol of the phone in the phone set of the voice.
         symbol: String,
         /// The name of that set.
         phone_set: String,
@@ -56,7 +56,7 @@ pub enum Event {
         fragment: Option<u32>,
         /// `start` or `end`.
         phase: &'static str,
-        /// Its index.
+        /// Index of the utterance.
         utterance: usize,
         /// The text, as written.
         text: String,
@@ -72,7 +72,7 @@ pub enum Event {
         /// Live fragment that it belongs to; `None`: the story's own.
         #[serde(skip_serializing_if = "Option::is_none")]
         fragment: Option<u32>,
-        /// Its name.
+        /// Name of the marker.
         name: String,
     },
     /// A clause begins or ends.
@@ -84,11 +84,11 @@ pub enum Event {
         fragment: Option<u32>,
         /// `start` or `end`.
         phase: &'static str,
-        /// Its index in its script or fragment, from 0.
+        /// Index of the clause in its script or fragment, from 0.
         clause: u32,
         /// The name of its element.
         element: &'static str,
-        /// Its `timeId`.
+        /// `timeId` of the clause; `None` if it has none.
         #[serde(skip_serializing_if = "Option::is_none")]
         id: Option<String>,
     },
@@ -99,10 +99,10 @@ pub enum Event {
         /// Live fragment that it belongs to; `None`: the story's own.
         #[serde(skip_serializing_if = "Option::is_none")]
         fragment: Option<u32>,
-        /// Its type.
+        /// Type of the event clause.
         #[serde(rename = "type", skip_serializing_if = "Option::is_none")]
         kind: Option<String>,
-        /// Its text.
+        /// Payload of the event, plain text.
         payload: String,
     },
     /// A fragment joins the performance.
@@ -125,7 +125,7 @@ pub enum Event {
         fragment: u32,
         /// Diagnostic code: `eml::unknown-name`, `live::busy` and so on.
         code: &'static str,
-        /// One sentence for people.
+        /// Message in one sentence.
         message: String,
         /// Hints for a fix.
         #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -148,7 +148,7 @@ pub enum Event {
         fragment: u32,
         /// Diagnostic code.
         code: &'static str,
-        /// One sentence for people.
+        /// Message in one sentence.
         message: String,
         /// Hints for a fix.
         #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -160,20 +160,20 @@ pub enum Event {
     },
 }
 
-/// A clause of a fragment that will be performed.
+/// Clause of a live fragment that was accepted for performance, with its times.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct AcceptedClause {
-    /// Its index in the fragment, from 0.
+    /// Index of the clause in the fragment, from 0.
     pub clause: u32,
     /// The name of its element.
     pub element: &'static str,
-    /// Its `timeId`.
+    /// `timeId` of the clause; `None` if it has none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub id: Option<String>,
-    /// Story time, seconds.
+    /// Start of the clause, story time, seconds.
     pub start_secs: f64,
-    /// Story time, seconds.
+    /// End of the clause, story time, seconds.
     pub end_secs: f64,
 }
 

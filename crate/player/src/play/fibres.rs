@@ -8,11 +8,11 @@ use raconteur_stage::{Line, Visibility};
 /// Colour of the springs: cool and faint, so muscles stand out against them.
 const SPRING: [u8; 4] = [20, 90, 130, 150];
 const SPRING_PX: f32 = 1.0;
-/// Of the bone.
+/// Colour of the bone, RGBA.
 const BONE: [u8; 4] = [232, 222, 196, 230];
 /// Skin that is longer between two nodes spans a hole, as between the jaws, metres.
 const HOLE_M: f32 = 0.0095;
-/// Of a muscle at rest and of one in full contraction.
+/// Colours of a muscle at rest and in full contraction, RGBA.
 const SLACK: [u8; 4] = [110, 14, 10, 210];
 const TENSE: [u8; 4] = [255, 70, 20, 255];
 const MUSCLE_PX: f32 = 2.0;

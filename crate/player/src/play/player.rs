@@ -39,19 +39,19 @@ mod shown;
 use clips::Animations;
 use idle::IdleBehaviour;
 
-/// The input of a player.
+/// Input of a [`Player`]: script, speech bundle, figure and options.
 pub struct StoryInput<'a> {
-    /// The script's text.
+    /// Text of the script.
     pub eml: &'a str,
     /// The JSON of its speech bundle, if it has one.
     pub bundle: Option<&'a [u8]>,
     /// The figure that performs.
     pub figure: Arc<Figure>,
-    /// Options.
+    /// Options of the performance.
     pub options: Options,
 }
 
-/// A player with the problems of its story.
+/// Loaded player, with the diagnostics of its story.
 pub struct LoadedPlayer {
     /// Ready to evaluate frames.
     pub player: Player,
@@ -59,10 +59,10 @@ pub struct LoadedPlayer {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Target of a hand, and its error.
+/// Target of a hand at one time, and the distance by which the hand misses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Manipulator {
-    /// `leftArm` or `rightArm`.
+    /// Name of the manipulator, `leftArm` or `rightArm`.
     pub name: &'static str,
     /// Target of the wrist, world, metres.
     pub target_in_world: DVec3,
@@ -70,8 +70,8 @@ pub struct Manipulator {
     pub error_m: f64,
 }
 
-/// Evaluates any time of a story, and of live additions. Frames depend only on the time, so seeking
-/// costs no more than playing.
+/// Player of one story with one figure: evaluates any story time, including live additions. Frames
+/// depend only on the time, so seeking costs no more than playing.
 ///
 /// # Examples
 ///
@@ -99,24 +99,24 @@ pub struct Player {
     options: Options,
     script: Script,
     animations: Animations,
-    score: ScriptSet,
+    scripts: ScriptSet,
     clock: Clock,
     /// All emotions.
-    feelings: EmotionTimeline,
+    emotions: EmotionTimeline,
     /// Lamps chosen by the page; `None`: those of the story's set.
     lighting: Option<Lighting>,
     /// Set chosen by the page; `None`: the story's.
     set_override: Option<StageSet>,
-    picture: ShotDirector,
-    layers: ActorCrossfade,
+    shots: ShotDirector,
+    actors: ActorCrossfade,
     /// The tissue of the face, if the figure has any.
     soft: Option<SoftFace>,
-    /// Its hair, if that swings.
-    sway: Option<SwingingParts>,
+    /// Swinging hair of the figure; `None` if it has none.
+    swinging: Option<SwingingParts>,
     /// Room to evaluate other times in.
-    room: EvaluatedPose,
+    scratch: EvaluatedPose,
     /// The waiting figure, until the story has taken over.
-    welcome: Option<Box<IdleBehaviour>>,
+    idle: Option<Box<IdleBehaviour>>,
     pose: Pose,
     frame: Frame,
 }
@@ -128,7 +128,7 @@ impl Player {
         Self::load_with_progress(input, &mut |_| ())
     }
 
-    /// [`Player::load`]; calls `progress` as each stage of loading begins.
+    /// Loads a story like [`Player::load`] and calls `progress` as each stage begins.
     #[must_use]
     pub fn load_with_progress(
         input: StoryInput<'_>,
@@ -147,7 +147,7 @@ impl Player {
             options: &options,
             library: &animations.library,
             carried: &CarriedCommands::default(),
-            least_room: options.room,
+            min_margin: options.margin,
         }
         .actor([&story].into_iter());
         let diagnostics = diagnostics(&script, &cast, &actor);
@@ -162,17 +162,17 @@ impl Player {
             options,
             script,
             animations,
-            picture: ShotDirector::new(&options, &score.story, &feelings),
-            feelings,
+            shots: ShotDirector::new(&options, &score.story, &feelings),
+            emotions: feelings,
             lighting: None,
             set_override: None,
-            score,
+            scripts: score,
             clock: Clock::new(),
-            layers: ActorCrossfade::new(actor, needs, morphs),
+            actors: ActorCrossfade::new(actor, needs, morphs),
             soft: tissue.map(SoftFace::new),
-            sway: SwingingParts::new(&cast.figure.springs, cast.figure.skeleton.joints().len()),
-            room: EvaluatedPose::new(morphs),
-            welcome: None,
+            swinging: SwingingParts::new(&cast.figure.springs, cast.figure.skeleton.joints().len()),
+            scratch: EvaluatedPose::new(morphs),
+            idle: None,
             pose: Pose::zero(),
             frame,
             cast,
@@ -183,7 +183,7 @@ impl Player {
         }
     }
 
-    /// Length of the script, seconds; live clauses may go on beyond it.
+    /// Returns the duration of the script, seconds; live clauses may continue beyond it.
     #[must_use]
     pub fn duration_secs(&self) -> f64 {
         self.script.timeline.duration_secs
@@ -194,7 +194,7 @@ impl Player {
     #[must_use]
     pub fn end_secs(&self) -> f64 {
         self.duration_secs()
-            .max(self.score.live.end_secs())
+            .max(self.scripts.live.end_secs())
             .max(self.clock.open_until_secs())
     }
 
@@ -203,7 +203,7 @@ impl Player {
         self.clock.set_open_ended(open_ended);
     }
 
-    /// The figure that performs.
+    /// Returns the performing figure.
     #[must_use]
     pub fn figure(&self) -> &Arc<Figure> {
         &self.cast.figure
@@ -217,7 +217,7 @@ impl Player {
         self.soft = figure.tissue.as_ref().map(SoftFace::new);
         self.cast.figure = figure;
         // The idle figure is created again from the figure.
-        self.welcome = None;
+        self.idle = None;
     }
 
     /// Replaces the face like [`Player::set_face`], for an intermediate face that differs little
@@ -232,7 +232,7 @@ impl Player {
         }
         self.cast.face = FaceRig::new(&figure);
         self.cast.figure = figure;
-        self.welcome = None;
+        self.idle = None;
         self.soft = soft;
     }
 
@@ -242,7 +242,7 @@ impl Player {
         &self.cast.units
     }
 
-    /// The last frame that was evaluated; empty before the first.
+    /// Returns the last evaluated frame; empty before the first.
     #[must_use]
     pub fn last_frame(&self) -> &Frame {
         &self.frame
@@ -255,7 +255,7 @@ impl Player {
         self.script.document.performer.as_ref()
     }
 
-    /// The questions of the script, by time.
+    /// Returns the questions of the script, sorted by time.
     #[must_use]
     pub fn questions(&self) -> Vec<QuestionCue> {
         self.script.questions()
@@ -267,35 +267,35 @@ impl Player {
         self.script.flow_entries()
     }
 
-    /// Returns the timeline of the script.
+    /// Returns the timeline of the script: the resolved times of all clauses.
     #[must_use]
     pub fn timeline(&self) -> &Timeline {
         &self.script.timeline
     }
 
-    /// Returns the script's utterances, in order of time.
+    /// Returns the script's utterances, sorted by time.
     #[must_use]
     pub fn utterances(&self) -> &[UtteranceCue] {
-        &self.score.story.utterances
+        &self.scripts.story.utterances
     }
 
     /// Returns an utterance by the index in cues: of the script, or of the stored part of the live
     /// performance.
     #[must_use]
     pub fn utterance(&self, index: usize) -> Option<&UtteranceCue> {
-        self.score.utterance(index)
+        self.scripts.utterance(index)
     }
 
-    /// The cues of the script, in order of time.
+    /// Returns the cues of the script, sorted by time.
     #[must_use]
     pub fn cues(&self) -> &[Cue] {
-        &self.score.story.cues
+        &self.scripts.story.cues
     }
 
     /// Returns the music of the story and of live additions, by time.
     #[must_use]
     pub fn music(&self) -> Vec<MusicCue> {
-        self.score.music(&self.feelings, self.end_secs())
+        self.scripts.music(&self.emotions, self.end_secs())
     }
 
     /// Takes the speech of coming fragments: a bundle that begins with the known utterances.
@@ -326,10 +326,10 @@ impl Player {
             cast: &self.cast,
             options: &self.options,
             library: &self.animations.library,
-            carried: self.score.live.carried(),
-            least_room: self.layers.last_margin(),
+            carried: self.scripts.live.carried(),
+            min_margin: self.actors.last_margin(),
         }
-        .actor(self.score.plans())
+        .actor(self.scripts.plans())
     }
 
     /// Returns the tissue of the face and its network as of the last frame; `None` if the figure
@@ -345,16 +345,17 @@ impl Player {
     /// tongue.
     #[must_use]
     pub fn face_controls(&self, time_secs: f64) -> FaceControls {
-        self.layers.controls(time_secs)
+        self.actors.controls(time_secs)
     }
 
-    /// The lip tracks of all utterances with their starts, story time, seconds.
+    /// Returns the lip tracks of all utterances with their starts, story time, seconds.
     #[must_use]
     pub fn lips(&self) -> &[(f64, LipTrack)] {
-        self.layers.actor().lips()
+        self.actors.actor().lips()
     }
 
-    /// Upper lids of the last frame, radians: where they are and where they are closed.
+    /// Returns the upper lid angles of the last frame and those of closed lids, left and right,
+    /// radians.
     pub(crate) fn lids_rad(&self) -> ([f64; 2], [f64; 2]) {
         (self.pose.upper_lid_rad, self.cast.figure.lid_closure_rad)
     }
@@ -364,7 +365,7 @@ impl Player {
         if let Some(soft) = &mut self.soft {
             soft.forget();
         }
-        if let Some(sway) = &mut self.sway {
+        if let Some(sway) = &mut self.swinging {
             sway.forget();
         }
     }
@@ -379,13 +380,13 @@ impl Player {
     /// Live clauses keep their times; those skipped by a forward seek are reported as skipped.
     pub fn seek(&mut self, time_secs: f64) {
         let (from_secs, to_secs) = self.clock.seek(time_secs);
-        self.score.live.skip(from_secs, to_secs);
+        self.scripts.live.skip(from_secs, to_secs);
         self.forget_welcome();
     }
 
     /// Returns the events since the last call, by time.
     pub fn drain_events(&mut self) -> Vec<Event> {
-        let cues = self.score.take_cues(self.clock.deliver());
+        let cues = self.scripts.take_cues(self.clock.deliver());
         let utterance = |index| self.utterance(index);
         cues.iter()
             .filter_map(|c| Event::new(c, utterance))
@@ -395,7 +396,7 @@ impl Player {
     /// Shows the whole figure from another direction, whatever the shot; `None` returns to the
     /// shot. The figure still speaks to the camera of the shot.
     pub fn set_view(&mut self, view: Option<View>) {
-        self.picture.set_view(view);
+        self.shots.set_view(view);
     }
 
     /// Sets the light of the stage without emotion; `None` uses the lamps of the story's set.
@@ -403,7 +404,7 @@ impl Player {
         self.lighting = lighting;
     }
 
-    /// Sets the stage's set; `None` uses the story's.
+    /// Overrides the stage set, for example fireside or garden; `None` uses the story's.
     pub fn override_set(&mut self, set: Option<StageSet>) {
         self.set_override = set;
     }
@@ -411,7 +412,7 @@ impl Player {
     /// Keeps hands and feet above captions that take this share of the image height at its lower
     /// edge, 0 to [`raconteur_stage::MAX_CAPTIONS`].
     pub fn set_captions(&mut self, share: f64) {
-        self.picture.set_captions(share);
+        self.shots.set_captions(share);
     }
 }
 

@@ -12,7 +12,7 @@ use crate::lower::music::{self, MusicCue};
 use crate::lower::music_stem::MusicClause;
 use crate::lower::plan::ScriptPlan;
 
-/// The story, and the live performance that has joined it.
+/// Everything that is performed: the story and the live fragments that have joined it.
 pub(crate) struct ScriptSet {
     pub(crate) story: ScriptPlan,
     pub(crate) live: LivePerformance,
@@ -31,8 +31,7 @@ impl ScriptSet {
         [&self.story].into_iter().chain(self.live.plans())
     }
 
-    /// An utterance by its index: of the story, or of the remembered part of the live
-    /// performance.
+    /// Returns an utterance by its index, from the story or from the remembered live fragments.
     pub(crate) fn utterance(&self, index: usize) -> Option<&UtteranceCue> {
         let live = || self.live.utterances().find(|(i, _)| *i == index);
         self.story
@@ -66,7 +65,7 @@ impl ScriptSet {
         EmotionTimeline::new(spans.filter_map(expressed_emotion::of_span).chain(led))
     }
 
-    /// The music of all plans, and of moods until a time, by time.
+    /// Returns the music of all scripts and of moods up to a time, sorted by time.
     pub(crate) fn music(&self, feelings: &EmotionTimeline, end_secs: f64) -> Vec<MusicCue> {
         let plans = self.plans();
         let mut clauses: Vec<MusicClause> = plans
@@ -75,7 +74,7 @@ impl ScriptSet {
             .collect();
         sort_by_number(&mut clauses, |c| c.start_secs);
         let scoring = MoodMusic {
-            feelings,
+            emotions: feelings,
             repertoire: self.story.repertoire,
             own: &self.story.pieces,
             follows: self.story.channels.music,
@@ -84,7 +83,7 @@ impl ScriptSet {
         music::cues(&scoring.music(clauses), plans.flat_map(|p| &p.utterances))
     }
 
-    /// The cues after one time up to and including another, by time.
+    /// Returns the cues after the first time up to and including the second, sorted by time.
     pub(crate) fn take_cues(&mut self, (from_secs, to_secs): (f64, f64)) -> Vec<Cue> {
         let mut cues = self.live.take_cues(from_secs, to_secs);
         cues.extend_from_slice(live::between(&self.story.cues, from_secs, to_secs));

@@ -8,7 +8,7 @@
 
 use core::mem::swap;
 
-/// Segmentation of time, in a simulation's own steps.
+/// Division of time into segments for a simulation, in steps: segment length and warm-up before it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SegmentGrid {
     /// Steps of a segment.
@@ -19,7 +19,7 @@ pub(crate) struct SegmentGrid {
     pub(crate) pace: WarmUpPolicy,
 }
 
-/// Scheduling of the next segment's warm-up.
+/// Schedule for the warm-up of the next segment: spread evenly, or in step with the present one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum WarmUpPolicy {
     /// Evenly over this one.
@@ -28,7 +28,7 @@ pub(crate) enum WarmUpPolicy {
     Together,
 }
 
-/// A simulation with its state.
+/// Simulation with a state that starts at rest and advances in fixed steps.
 pub(crate) trait Simulation<S> {
     /// Initialises it at rest at a step.
     fn rest(&mut self, state: &mut S, step: i64);
@@ -61,7 +61,8 @@ impl<S> SegmentState<S> {
     }
 }
 
-/// The states of a segment and of the next.
+/// States of a simulation in the present segment and, warming up, in the next one; they make the
+/// result independent of seeking.
 pub(crate) struct Segments<S> {
     cut: SegmentGrid,
     now: SegmentState<S>,
@@ -88,12 +89,12 @@ impl<S: Clone> Segments<S> {
         self.next.segment = NEVER;
     }
 
-    /// The state at the last requested step.
+    /// Returns the state at the last requested step.
     pub(crate) fn state(&self) -> &S {
         &self.now.state
     }
 
-    /// The state, and that of the next segment's run.
+    /// Returns the present state (mutable) and that of the next segment.
     pub(crate) fn states_mut(&mut self) -> (&mut S, &S) {
         (&mut self.now.state, &self.next.state)
     }

@@ -14,7 +14,8 @@ use crate::lower::shots::{CameraShot, ShotPlanInput, ShotSequence};
 use crate::lower::visibility::{Switch, VisibilityTrack};
 use crate::options::Options;
 
-/// Framing of the figure over time.
+/// Director of the image: camera shots, light and visibility of the figure at any time, from script
+/// and emotions.
 pub(crate) struct ShotDirector {
     /// Default shot.
     shot: Shot,
@@ -31,7 +32,7 @@ pub(crate) struct ShotDirector {
     geometry: VisibilityTrack,
 }
 
-/// Position and size of the figure in an image.
+/// Figure to be framed by the camera: the floor under it and its stature.
 pub(crate) struct FramedFigure {
     /// The floor under the figure, world, metres.
     pub(crate) floor_in_world: DVec3,
@@ -46,7 +47,7 @@ impl ShotDirector {
         let nothing = ShotPlanInput {
             usual: options.shot,
             cues: Vec::new(),
-            feelings: &EmotionTimeline::default(),
+            emotions: &EmotionTimeline::default(),
             follows: false,
             moves: false,
         };
@@ -73,7 +74,7 @@ impl ShotDirector {
         self.shots = ShotSequence::new(ShotPlanInput {
             usual: self.shot,
             cues: plans.clone().flat_map(|p| &p.shots).copied().collect(),
-            feelings,
+            emotions: feelings,
             follows: self.channels.camera,
             moves: self.moves,
         });
@@ -116,7 +117,7 @@ impl ShotDirector {
         self.moves
     }
 
-    /// The shots of the performance.
+    /// Returns the camera shots of the performance.
     pub(crate) fn shots(&self) -> &ShotSequence {
         &self.shots
     }
@@ -160,7 +161,7 @@ impl ShotDirector {
             };
             match take.shot {
                 // The lens zooms in and leaves room for the hands.
-                near @ (Shot::Medium | Shot::Close | Shot::ExtremeClose) if take.is_felt => {
+                near @ (Shot::Medium | Shot::Close | Shot::ExtremeClose) if take.is_by_emotion => {
                     let rest = near.emotion_span(stature_m, aspect);
                     let zoom = if self.moves { QUICK_ZOOM } else { SLOW_ZOOM };
                     frame(Shot::Storyteller, room((rest, zoom)))

@@ -36,7 +36,7 @@ impl Simulation<Network> for DrivenTissue<'_> {
     }
 }
 
-/// The tissue of one face at any time.
+/// Simulated tissue of one face; gives its state at any time.
 pub(crate) struct SoftFace {
     segments: Segments<Network>,
 }
@@ -48,7 +48,7 @@ impl SoftFace {
         }
     }
 
-    /// The network as it was at the last requested step.
+    /// Returns the tissue network at the last requested step.
     pub(crate) fn network(&self) -> &Network {
         self.segments.state()
     }

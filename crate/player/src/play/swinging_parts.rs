@@ -17,7 +17,7 @@ const CUT: SegmentGrid = SegmentGrid {
 /// Final steps of a segment in which it blends into the next one.
 const BLEND: i64 = 24;
 
-/// Solves the joints at a time, seconds, with every chain at rest.
+/// Callback that solves the joint transforms at a time, seconds, with every spring chain at rest.
 pub(crate) type Posture<'a> = dyn FnMut(f64, &mut Vec<DAffine3>) + 'a;
 
 /// Chains on a figure that moves.
@@ -52,7 +52,7 @@ impl Simulation<SpringState> for DrivenChains<'_, '_> {
     }
 }
 
-/// Swinging parts of one figure, at any time.
+/// Simulated spring chains of one figure (hair, hanging cloth); gives their state at any time.
 pub(crate) struct SwingingParts {
     segments: Segments<SpringState>,
     /// Room to solve joints in.

@@ -74,7 +74,8 @@ fn moments(player: &Player) -> Vec<CheckedSpan> {
     all
 }
 
-/// Checks of one pass over a story.
+/// Checks of the face in one pass over a story: lip closures, lids, teeth, bone, skin stretch and
+/// folds.
 pub(super) struct FaceSweep {
     moments: Vec<CheckedSpan>,
     next: usize,

@@ -27,7 +27,7 @@ type Place = [(u32, f32); 3];
 /// Points at one distance and at twice that distance, on both sides.
 type Across = [Place; 4];
 
-/// Measuring points of a face.
+/// Measuring points on a face mesh that detect narrow folds (dents) of the skin.
 #[derive(Clone, Debug)]
 pub struct Folds {
     /// Index of the mesh.
@@ -43,10 +43,10 @@ struct MeasuredFace {
     across: Vec<Across>,
 }
 
-/// The deepest of the folds of a face.
+/// Deepest fold of a face, with its position.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Fold {
-    /// Depth, metres.
+    /// Depth of the fold, metres.
     pub depth_m: f32,
     /// Position, bind pose, metres.
     pub place: [f32; 3],
@@ -129,7 +129,7 @@ struct SmoothRegion {
     eyes: Vec<DVec3>,
     lips: Vec<DVec3>,
     corners: [DVec3; 2],
-    /// Of the nose, the side of its wing.
+    /// Sides of the nose's wings, left and right, bind pose, metres.
     wings: [DVec3; 2],
 }
 
@@ -246,7 +246,7 @@ impl<'a> Surface<'a> {
         [0, 1, 2].map(|k| self.mesh.indices[first + k])
     }
 
-    /// The triangles that hang together with a vertex and are near it.
+    /// Returns the triangles connected with a vertex within a distance, metres.
     fn connected_triangles(&self, v: u32, within: f64) -> Vec<[u32; 3]> {
         let middle = self.position(v);
         let (mut open, mut seen) = (vec![v], std::collections::BTreeSet::from([v]));

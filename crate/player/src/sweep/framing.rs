@@ -35,7 +35,7 @@ fn is_shown(camera: &Camera, aspect: f64, place: DVec3) -> bool {
         .all(|x| x.abs() <= 1.0)
 }
 
-/// Points of a frame that the image should contain, world, metres.
+/// Points of a frame that the image should contain (skull and fingertips), world, metres.
 pub(super) struct FramedPoints {
     skull: DVec3,
     /// Wrist, middle fingertip and thumb of the left and of the right hand.
@@ -62,10 +62,9 @@ struct VisibleShare {
     last: Option<Camera>,
 }
 
-/// Framing statistics of a story: share of the strokes' time, without scripted close shots, in
-/// which wrist and fingertips are outside the image, distance of crown and chin from its edge, the
-/// fastest zoom, separately for shots of emotions, and the amount by which such a shot falls short
-/// of the minimum duration.
+/// Framing statistics of a story: share of stroke time with hands outside the image (except
+/// scripted close shots), distance of crown and chin from the edge, fastest zoom (also for emotion
+/// shots), and shortfall of the duration of emotion shots.
 pub(super) struct Framing {
     seen: [VisibleShare; ASPECTS.len()],
     face: Check,

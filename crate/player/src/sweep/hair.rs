@@ -37,7 +37,7 @@ fn about([x, y, z]: Cell) -> impl Iterator<Item = Cell> {
     (0..27).map(move |i| [x + i / 9 - 1, y + i / 3 % 3 - 1, z + i % 3 - 1])
 }
 
-/// Hair and the surfaces that it must not penetrate.
+/// Check for hair that penetrates skin or clothes: hair vertices and the surfaces around them.
 pub(super) struct HairSweep<'a> {
     figure: &'a Figure,
     hair: Vec<Vertex>,

@@ -28,7 +28,7 @@ use framing::{FramedPoints, Framing};
 use hair::HairSweep;
 use solids::{Body, Hand, local_rotation};
 
-/// Sampling rate of a sweep, frames per second.
+/// Sampling rate of a sweep (a check of a story without rendering), frames per second.
 pub const RATE_HZ: f64 = 120.0;
 
 /// Distance from its target at which a hand counts as arrived, metres. Designed: the trunk below it
@@ -40,14 +40,14 @@ const UNSEEN_M: f64 = 0.003;
 /// A stroke is looked for this long, seconds.
 const LOOKED_FOR_SECS: f64 = 0.4;
 
-/// The worst value of one measure over a sweep.
+/// Worst value of one measure over a sweep, with its limit, time and location.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
     /// Measured quantity, for example `joint-speed`.
     pub name: &'static str,
     /// The worst that was found.
     pub worst: f64,
-    /// Maximum allowed value.
+    /// Maximum value that passes the check.
     pub limit: f64,
     /// Unit of both, for example `rad/s`.
     pub unit: &'static str,
@@ -247,7 +247,7 @@ impl Sweep {
             };
             let bend = turn(DQuat::IDENTITY, own(elbow));
             // A hinge about z, from stretched to bent.
-            let most = self.arms[side.index()].limits()[2].most_rad;
+            let most = self.arms[side.index()].limits()[2].max_rad;
             let over = (bend.z - most).max(-bend.z).max(0.0);
             let aside = bend.truncate().length();
             self.limits
@@ -331,7 +331,7 @@ impl Sweep {
     }
 }
 
-/// The turn from one rotation to another, axis times angle, radians.
+/// Returns the rotation from one orientation to another as axis times angle, radians.
 fn turn(from: DQuat, to: DQuat) -> DVec3 {
     let q = to * from.inverse();
     let q = if q.w < 0.0 { -q } else { q };

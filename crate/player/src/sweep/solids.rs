@@ -17,7 +17,7 @@ const OWN_WEIGHT: f32 = 0.5;
 /// Radii of fingers and palm of figures without meshes, for a stature of 1.7 m, metres.
 const RADII_M: [f64; 2] = [0.008, 0.012];
 
-/// One capsule of a hand: from a bone to a bone, or to its tip.
+/// Capsule of a hand, from a bone to another bone or to its tip.
 #[derive(Clone, Copy, Debug)]
 struct Link {
     from: Bone,
@@ -32,7 +32,7 @@ enum End {
     Tip(DVec3),
 }
 
-/// The capsules of one hand.
+/// Collision capsules of one hand.
 #[derive(Clone, Debug)]
 pub(super) struct Hand {
     links: Vec<Link>,
@@ -109,7 +109,8 @@ fn vertices(figure: &Figure, bone: Bone) -> impl Iterator<Item = DVec3> + '_ {
     })
 }
 
-/// Middle distance of a bone's skin from its axis, which ends at `end`, metres.
+/// Returns the median distance of a bone's skin from its axis, which ends at `end`, metres; `None`
+/// if it has no skin.
 fn thickness_m(figure: &Figure, bone: Bone, end: DVec3) -> Option<f64> {
     let axis = end.try_normalize()?;
     let mut radii: Vec<f64> = vertices(figure, bone)
@@ -185,7 +186,7 @@ impl BodySegment {
     }
 }
 
-/// Trunk, neck and head of a figure.
+/// Collision slices of a figure's trunk, neck and head.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
     trunk: Vec<BodySegment>,
@@ -223,7 +224,7 @@ impl Body {
     }
 }
 
-/// Rotation of a bone against its parent.
+/// Returns the rotation of a bone relative to its parent.
 pub(super) fn local_rotation(world_from_joint: &[DAffine3], bone: Bone) -> DQuat {
     let own = world_from_joint[bone.index()].matrix3;
     let parent = bone.parent().map(|p| world_from_joint[p.index()].matrix3);

@@ -7,7 +7,7 @@ use wgpu::{
 
 use crate::target::DEPTH_FORMAT;
 
-/// Variable parts of a pipeline descriptor; the rest is the same for all.
+/// Variable parts of a render pipeline descriptor; the rest is the same for all pipelines.
 pub(super) struct PipelineDescription<'a> {
     pub(super) label: &'a str,
     pub(super) module: &'a ShaderModule,

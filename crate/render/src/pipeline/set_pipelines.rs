@@ -7,7 +7,7 @@ use super::{
     BEHIND, PipelineDescription, Pipelines, SharedResources, full_screen, pipeline_layout,
 };
 
-/// Pipelines of one set.
+/// Pipelines that render one stage set, compiled when a story first uses it.
 pub(crate) struct SetPipelines {
     entry: &'static str,
     /// Behind the figure.

@@ -29,7 +29,7 @@ impl Renderer {
         self.coming = is_other.then(|| self.make_tier(options));
     }
 
-    /// Returns true during a change of quality.
+    /// Returns true while a change of quality is being prepared.
     #[must_use]
     pub fn is_changing(&self) -> bool {
         self.coming.is_some()

@@ -84,7 +84,7 @@ impl Renderer {
     /// Fills the area not covered by solid surfaces with the stage.
     fn fill_with_stage(&self, pass: &mut wgpu::RenderPass<'_>, counts: &mut Counts) {
         let pipelines = &self.tier.pipelines;
-        match (&self.backdrop, &pipelines.laid) {
+        match (&self.backdrop, &pipelines.with_layout) {
             (Some(backdrop), Some(laid)) if self.backdrop_drawn != BackdropMode::Directly => {
                 pass.set_bind_group(0, &backdrop.group, &[]);
                 pass.set_pipeline(laid);

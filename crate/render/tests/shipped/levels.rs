@@ -205,7 +205,7 @@ fn each_level_covers_what_the_finest_covers() {
                 .into_iter()
                 .map(|mut frame| {
                     let with = draw(device, &frame);
-                    frame.shown.body = false;
+                    frame.visibility.body = false;
                     let without = draw(device, &frame);
                     let pairs = with.iter().zip(&without);
                     pairs.map(|(a, b)| a != b).collect()

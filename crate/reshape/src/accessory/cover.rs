@@ -31,7 +31,7 @@ enum Cut {
     Scarf,
 }
 
-/// Surface that covers a head.
+/// Head cover (cap, hat or headscarf) fitted to a head, as a surface from a pole to a rim.
 pub(in super::super) struct Cover {
     cut: Cut,
     centre: DVec3,
@@ -44,7 +44,7 @@ pub(in super::super) struct Cover {
 }
 
 impl Cover {
-    /// A cap from the forehead over the tops of the ears to the nape.
+    /// Creates a knitted cap from the forehead over the tops of the ears to the nape.
     pub(in super::super) fn cap(fit: &Fit) -> Self {
         let front = fit.position(landmark::TRICHION).y - 0.014;
         Self::crown(Cut::Cap, fit, [front, 0.034, -0.012])
@@ -56,7 +56,7 @@ impl Cover {
         Self::crown(Cut::Hat, fit, [front, 0.046, 0.022])
     }
 
-    /// Down to heights of the rim in front, at the sides and at the back.
+    /// Creates a cover whose rim has the given heights at the front, sides and back, metres.
     fn crown(cut: Cut, fit: &Fit, [front, side, back]: [f64; 3]) -> Self {
         let centre = DVec3::new(0.0, 0.045, -0.012);
         let mut cover = Self::bare(cut, centre, [DVec3::Y, DVec3::Z, DVec3::X]);
@@ -74,7 +74,7 @@ impl Cover {
         cover
     }
 
-    /// A scarf leaves the face free, from the hairline to below the chin.
+    /// Creates a headscarf that leaves the face free, from the hairline to below the chin.
     pub(in super::super) fn scarf(fit: &Fit) -> Self {
         let centre = DVec3::new(0.0, 0.008, -0.012);
         let mut cover = Self::bare(Cut::Scarf, centre, [-DVec3::Z, DVec3::Y, DVec3::X]);
@@ -180,7 +180,7 @@ impl Cover {
         self.reach[row][column] + PRESSED_M + LOOSE_M * below * below
     }
 
-    /// The cloth as parts of the figure.
+    /// Returns the meshes of the cover in a colour, as parts of the figure.
     pub(super) fn meshes(&self, fit: &Fit, colour: [f32; 3]) -> Vec<Mesh> {
         match self.cut {
             Cut::Cap => vec![fit.mesh(
@@ -232,7 +232,7 @@ impl Cover {
         lerp(0.008, 0.026, low) + 0.0016 * fold * (1.0 + 1.5 * low) + 0.002 * edge
     }
 
-    /// The crown of a hat: higher than the head, with a crease along its top.
+    /// Returns the crown of a hat, higher than the head, with a crease along its top.
     fn raised(&self) -> Solid {
         let rows: Vec<Vec<DVec3>> = (0..=ROWS)
             .map(|i| {

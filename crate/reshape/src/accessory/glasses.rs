@@ -9,7 +9,8 @@ use super::solid::Solid;
 use super::{AccessoryKind, Fit, landmark, material};
 use raconteur_body::figure::{MaterialKind, Mesh};
 
-/// From the centre of the eyeball to the glass: 12 mm to the cornea, and the usual 13 mm to the back of the glass.
+/// Distance from the centre of the eyeball to the lens, metres: 12 mm to the cornea, and the usual
+/// 13 mm to the back of the lens.
 const BEFORE_EYE_M: f64 = 0.025;
 /// Clearance of the lenses from lashes and cheeks.
 const OFF_SKIN_M: f64 = 0.002;
@@ -21,7 +22,7 @@ const POINTS: usize = 48;
 
 /// The rim of a glass.
 struct Rim {
-    /// Half its breadth and height, metres.
+    /// Half width and half height of the rim, metres.
     half: [f64; 2],
     /// Exponent of the superellipse: 2 is round, more is square.
     corner: f64,
@@ -49,7 +50,8 @@ impl Rim {
         }
     }
 
-    /// A point of the rim against its middle, x to the outside.
+    /// Returns a point of the rim relative to its centre, metres, at an angle in radians; x points
+    /// outwards.
     fn point(&self, turn: f64) -> [f64; 2] {
         let bent = |x: f64| x.signum() * ops::pow(x.abs(), 2.0 / self.corner);
         [
@@ -64,7 +66,7 @@ struct Frame {
     rim: Rim,
     /// Middle between the glasses, at the height of the pupils.
     height: f64,
-    /// From the middle of the face to the middle of a glass.
+    /// Distance from the middle of the face to the centre of a lens, metres.
     apart: f64,
     front: f64,
 }
@@ -119,7 +121,7 @@ impl Frame {
             .collect()
     }
 
-    /// From rim to rim over the bridge of the nose.
+    /// Returns the path of the bridge from rim to rim over the nose, metres.
     fn bridge(&self, fit: &Fit) -> Vec<DVec3> {
         let from = self.apart - self.rim.half[0] * 0.97;
         let y = self.height + self.rim.half[1] * 0.38;
@@ -137,7 +139,7 @@ impl Frame {
             .collect()
     }
 
-    /// From the outside of a rim to behind the ear.
+    /// Returns the path of a temple from the outside of a rim to behind the ear, metres.
     fn bow(&self, side: f64, fit: &Fit) -> Vec<DVec3> {
         let hinge = self.on_rim(side, 0.35);
         // The temple of the glasses lies on the root of the ear, slightly above the tragion, which

@@ -53,7 +53,7 @@ fn rings(fit: &Fit) -> Solid {
     solid
 }
 
-/// On the left wing of the nose, where that is widest.
+/// Returns a stud on the left wing of the nose, at its widest point.
 fn nose_stud(fit: &Fit) -> Solid {
     let tip = fit
         .skin
@@ -76,7 +76,7 @@ fn nose_stud(fit: &Fit) -> Solid {
     })
 }
 
-/// Jewellery for a face.
+/// Returns the meshes of jewellery of a kind and colour, fitted to a head.
 pub(super) fn meshes(kind: AccessoryKind, colour: [f32; 3], fit: &Fit) -> Vec<Mesh> {
     let solid = match kind {
         AccessoryKind::EarStuds => studs(fit),

@@ -14,7 +14,7 @@ use super::{NewFace, Reshaper, narrow, wide};
 use raconteur_body::figure::{Figure, Material, MaterialKind, Mesh, TextureMaps};
 use raconteur_body::skeleton::Bone;
 
-/// Kind of accessory.
+/// Kind of accessory worn on the head: glasses, jewellery or head cover.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AccessoryKind {
@@ -38,7 +38,7 @@ pub enum AccessoryKind {
     Headscarf,
 }
 
-/// Accessory and its colour.
+/// Accessory worn on the head, with its kind and colour.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 pub struct Accessory {
     /// Kind of the accessory.
@@ -61,7 +61,7 @@ pub(super) mod landmark {
     pub(in super::super) const STOMION: usize = 12_038;
 }
 
-/// Head that accessories are fitted to, in its frame, metres.
+/// Measures of the head that accessories are fitted to, in its frame, metres.
 pub(super) struct Fit {
     skin: Vec<DVec3>,
     normals: Vec<DVec3>,
@@ -88,7 +88,7 @@ impl Fit {
         }
     }
 
-    /// A vertex of the skin; the origin where the head has too few.
+    /// Returns the position of a skin vertex; the origin if the head has too few.
     fn position(&self, vertex: usize) -> DVec3 {
         self.skin.get(vertex).copied().unwrap_or(DVec3::ZERO)
     }

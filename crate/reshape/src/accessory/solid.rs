@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use raconteur_base::surface::area_vectors;
 use raconteur_base::{DVec3, ops};
 
-/// A surface in the frame of the head, metres.
+/// Mesh surface of an accessory, in the frame of the head, metres.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Solid {
     pub(super) positions: Vec<DVec3>,
@@ -63,7 +63,7 @@ impl Solid {
         self.normals = normals.into_iter().map(unit).collect();
     }
 
-    /// The surface with its outside away from a point of its inside.
+    /// Returns the surface oriented so that it faces away from an inner point.
     pub(super) fn outward(self, inside: DVec3) -> Self {
         let lit = self.positions.iter().zip(&self.normals);
         let faces_in = lit.map(|(&p, n)| (p - inside).dot(*n)).sum::<f64>() < 0.0;
@@ -89,7 +89,7 @@ impl Solid {
         self.indices.extend(other.indices.iter().map(|v| v + first));
     }
 
-    /// A rod of round section along points. `closed`: it ends where it begins.
+    /// Creates a rod of circular section along points; `closed` joins its ends.
     pub(super) fn rod(points: &[DVec3], radius: f64, closed: bool) -> Self {
         const SIDES: usize = 8;
         let count = points.len();
@@ -154,7 +154,7 @@ impl Solid {
         if faces_in { solid.flipped() } else { solid }
     }
 
-    /// A ball.
+    /// Creates a sphere.
     pub(super) fn ball(centre: DVec3, radius: f64) -> Self {
         const RINGS: usize = 8;
         const SIDES: usize = 12;

@@ -9,8 +9,8 @@ pub(crate) const SIZE: usize = 1024;
 /// filtering and two levels of a mip chain.
 const MARGIN: usize = 5;
 
-/// Point on a triangle, with the barycentric weights of its corners. Beyond the triangle's edge (in
-/// the margin) weights leave 0..1.
+/// Surface point under a texel, as a triangle with barycentric weights. In the margin beyond the
+/// triangle's edge, weights leave 0..1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit {
     pub(crate) triangle: u32,
@@ -32,7 +32,7 @@ impl Hit {
     }
 }
 
-/// Rasterised atlas: the surface point of each texel.
+/// Rasterised texture atlas: the surface point of each texel, and the number of overlaps.
 pub(crate) struct Raster {
     /// Hits in rows from the top; `None` where no surface lies.
     pub(crate) hits: Vec<Option<Hit>>,
@@ -59,7 +59,7 @@ fn centre(x: usize, y: usize) -> DVec2 {
 }
 
 impl Raster {
-    /// `uv` are in 0..1 over the atlas.
+    /// Rasterises triangles with texture coordinates `uv`, 0..1 over the atlas.
     pub(crate) fn new(uv: &[[f64; 2]], triangles: &[[u32; 3]]) -> Self {
         let texel = |v: u32| DVec2::from_array(uv[v as usize]) * SIZE as f64;
         let mut hits: Vec<Option<Hit>> = vec![None; SIZE * SIZE];

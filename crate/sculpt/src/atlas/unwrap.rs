@@ -240,7 +240,7 @@ pub(crate) fn unfold(triangles: &[[u32; 3]], flat: &mut [DVec2]) {
 mod tests {
     use super::*;
 
-    /// A bumpy square of 8 × 8 quads with a hole in the middle.
+    /// Returns a bumpy square of 8 × 8 quads with a hole in the middle, for tests.
     fn bumpy() -> (Vec<Vec<u32>>, Vec<DVec3>) {
         let at = |i: u32, j: u32| j * 9 + i;
         let mut faces = Vec::new();

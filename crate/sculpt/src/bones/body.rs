@@ -118,8 +118,8 @@ fn vertebra(level: &Level, index: usize, k: f64) -> Solid {
     solid
 }
 
-/// One rib of the left side: from its vertebra round the chest to the breastbone or the
-/// arch of the ribs.
+/// Builds one rib of the left side, from its vertebra around the chest to the breastbone or the
+/// costal arch.
 fn rib(frame: &Frame, index: usize, head: DVec3) -> Solid {
     let k = frame.scale;
     let i = index as f64 / (RIBS - 1) as f64;
@@ -237,7 +237,7 @@ fn pelvis(frame: &Frame) -> Solid {
     out
 }
 
-/// Every bone of this file.
+/// Builds spine, ribs, breastbone and pelvis.
 pub(super) fn parts(frame: &Frame) -> Vec<MeshPart> {
     let k = frame.scale;
     let levels = levels(frame);

@@ -13,13 +13,13 @@ use raconteur_body::skeleton::{Bone, Drive};
 pub(super) const RINGS: usize = 44;
 pub(super) const COLUMNS: usize = 64;
 
-/// Triangles of the head's skin in the bind pose, and the head's landmarks.
+/// Skin of the head in the bind pose with its landmarks; limits the bones under it.
 pub(super) struct Skin {
     triangles: Vec<[DVec3; 3]>,
     cells: BTreeMap<[i32; 3], Vec<u32>>,
     /// Middle between the eyeballs.
     pub(super) eyes: DVec3,
-    /// Half the distance of the eyeballs.
+    /// Half the distance between the eyeballs, metres.
     pub(super) half_gap: f64,
     /// Middle of the jaw's hinges.
     pub(super) hinge: DVec3,
@@ -130,7 +130,8 @@ impl Skin {
         best.map(|(d, before)| (d, before <= 0.0))
     }
 
-    /// Distance from a centre to the outermost skin in every direction of the skull's map.
+    /// Returns the distance from a centre to the outermost skin in every direction of the skull's
+    /// radial map, metres; `None` without skin.
     pub(super) fn outermost_map(&self, centre: DVec3) -> Vec<Vec<Option<f64>>> {
         let mut map = vec![vec![None; COLUMNS]; RINGS];
         let turn = core::f64::consts::TAU;
@@ -201,7 +202,8 @@ fn cells_of(triangles: &[[DVec3; 3]]) -> BTreeMap<[i32; 3], Vec<u32>> {
     cells
 }
 
-/// Distance along a ray to a triangle (Möller and Trumbore's test).
+/// Returns the distance along a ray to a triangle (Möller and Trumbore's test), in lengths of
+/// `way`; `None` if the ray misses.
 pub(crate) fn hit(t: &[DVec3; 3], from: DVec3, way: DVec3) -> Option<f64> {
     let (e1, e2) = (t[1] - t[0], t[2] - t[0]);
     let p = way.cross(e2);
@@ -217,7 +219,7 @@ pub(crate) fn hit(t: &[DVec3; 3], from: DVec3, way: DVec3) -> Option<f64> {
     (u >= -1e-9 && v >= -1e-9 && u + v <= 1.0 + 1e-9 && d > 0.0).then_some(d)
 }
 
-/// Distance from a point to a triangle.
+/// Returns the distance from a point to a triangle.
 pub(super) fn to_triangle(t: &[DVec3; 3], p: DVec3) -> f64 {
     let edge = |a: DVec3, b: DVec3| {
         let ab = b - a;

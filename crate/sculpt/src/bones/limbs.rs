@@ -9,8 +9,8 @@ use crate::solid::{Section, Solid};
 use crate::torso::Regions;
 use raconteur_body::skeleton::{Bone, Drive};
 
-/// A long bone from one point to another: for each share of its length the offsets towards
-/// `side` and `front` and the half widths along them, metres.
+/// Builds a long bone between two points: for each share of its length, the offsets towards `side`
+/// and `front` and the half widths along them, metres.
 fn shaft(
     from: DVec3,
     to: DVec3,
@@ -40,7 +40,7 @@ fn ball(centre: DVec3, radii: DVec3) -> Solid {
     Solid::blob(centre, DMat3::from_diagonal(radii), 10)
 }
 
-/// Every bone of this file.
+/// Builds shoulder girdles, arms, legs and feet.
 pub(super) fn parts(frame: &Frame) -> Vec<MeshPart> {
     Side::BOTH
         .into_iter()
@@ -290,7 +290,8 @@ fn leg(frame: &Frame, side: Side) -> Vec<MeshPart> {
     ]
 }
 
-/// Heel bone, ankle bone, the middle foot as one block, five rays of metatarsals and toes.
+/// Builds a foot: heel bone, ankle bone, the midfoot as one block, and five rays of metatarsals and
+/// toes.
 fn foot(frame: &Frame, side: Side) -> Vec<MeshPart> {
     let k = frame.scale;
     let [ankle, middle, front] = ["subtalar", "midtarsal", "metatarsal"].map(|n| Bone::on(side, n));

@@ -25,14 +25,14 @@ use super::torso::{BodyParams, Field, Joints, Regions};
 use raconteur_body::figure::{Figure, Material, MaterialKind, TextureMaps};
 use raconteur_body::skeleton::{Bone, Drive, FaceJoints, zero_frames};
 
-/// Layers contained in a figure's file.
+/// Layers contained in an exported figure: skin, bones or both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
     /// The figure as it ships.
     Skin,
     /// Bones only.
     Bones,
-    /// Both.
+    /// Skin and bones.
     All,
 }
 
@@ -139,12 +139,12 @@ fn build_part(name: &str, solid: Solid, joint: impl Fn(DVec3) -> Vec<(JointRef, 
     }
 }
 
-/// A part rigid to a bone.
+/// Creates a mesh part rigidly attached to a bone.
 fn rigid(name: &str, solid: Solid, bone: Bone) -> MeshPart {
     build_part(name, solid, |_| vec![(JointRef(Drive::Bone(bone)), 1.0)])
 }
 
-/// Every bone of a figure, in the bind pose, world frame, metres.
+/// Builds all bones of a figure, in the bind pose, world frame, metres.
 #[must_use]
 pub fn build(params: &FigureParams, built: &AnnotatedFigure) -> Vec<MeshPart> {
     let frame = Frame::new(params, &built.figure);
@@ -157,12 +157,12 @@ pub fn build(params: &FigureParams, built: &AnnotatedFigure) -> Vec<MeshPart> {
     parts
 }
 
-/// Skull and lower jaw of a figure, in the bind pose, world frame, metres.
+/// Builds skull and lower jaw of a figure, in the bind pose, world frame, metres.
 pub(crate) fn of_head(figure: &Figure) -> Vec<MeshPart> {
     skull::parts(figure)
 }
 
-/// The 27 bones of a hand, placed as the hand's skin is.
+/// Builds the 27 bones of a hand, aligned with the hand's skin.
 fn hand_parts(params: &FigureParams, frame: &Frame, side: Side) -> Vec<MeshPart> {
     let wrist = Bone::on(side, "wrist");
     let turn = frame.rotations[wrist.index()] * zero_frames()[wrist.index()].inverse();

@@ -76,8 +76,8 @@ fn carved(skin: &Skin, relative_mm: DVec3) -> (f64, f64) {
     (orbit, if p.z > -20.0 { nose } else { 0.0 })
 }
 
-/// Farthest front of the bone on the middle of the face, mm before the eyes: the nose's
-/// bones and the upper jaw, not the nose.
+/// Returns the front limit of the bone along the middle of the face, mm in front of the eyes;
+/// includes nasal bones and upper jaw, not the nose.
 fn front_limit_mm(p: DVec3) -> f64 {
     let bridge = lerp(12.0, 21.0, ((6.0 - p.y) / 22.0).clamp(0.0, 1.0));
     let side = (p.x.abs() / 11.0).min(2.0);
@@ -189,7 +189,7 @@ fn shrink_below_skin(solid: &mut Solid, skin: &Skin, anchor: impl Fn(DVec3) -> D
     }
 }
 
-/// Cheekbone's arch from the face to the ear.
+/// Builds the zygomatic arch from the face to the ear.
 fn arch(skin: &Skin, side: Side) -> Solid {
     let mm = 0.001 * skin.scale;
     let at = |x: f64, y: f64, z: f64| skin.eyes + DVec3::new(x * side.sign(), y, z) * mm;
@@ -212,7 +212,7 @@ fn arch(skin: &Skin, side: Side) -> Solid {
     solid
 }
 
-/// The lower jaw: one tube from hinge to hinge, high and thin at the branches, rounder at
+/// Builds the lower jaw as one tube from hinge to hinge, high and thin at the branches, rounder at
 /// the chin.
 fn mandible(skin: &Skin) -> Solid {
     let mm = 0.001 * skin.scale;
@@ -288,7 +288,7 @@ fn mandible(skin: &Skin) -> Solid {
     solid
 }
 
-/// Skull with the cheekbones' arches, and the lower jaw on its own joint.
+/// Builds the skull with the zygomatic arches, and the lower jaw on its own joint.
 pub(super) fn parts(figure: &Figure) -> Vec<MeshPart> {
     let skin = Skin::from_figure(figure);
     let mut cheeks = arch(&skin, Side::Left);

@@ -9,7 +9,7 @@ use raconteur_base::{DVec3, ops};
 use super::neck::Neck;
 use crate::torso::{CM, Field, Regions, Shell, weights::Weights};
 
-/// Path of a band.
+/// Surface around which a band runs: regions of the body, or the neck.
 #[derive(Clone, Copy, Debug)]
 pub enum BandPath<'a> {
     /// Regions of the body.
@@ -19,7 +19,7 @@ pub enum BandPath<'a> {
 }
 
 impl BandPath<'_> {
-    /// Distance from its skin, metres, and the outward unit normal.
+    /// Returns the distance from the skin, metres, and the outward unit normal.
     fn value_and_normal(&self, p: DVec3) -> (f64, DVec3) {
         match self {
             Self::Body(field, regions) => field.value_and_normal(p, *regions, 1.0),
@@ -28,7 +28,8 @@ impl BandPath<'_> {
     }
 }
 
-/// Shape of a band; lengths in metres.
+/// Shape of a rounded band that continues an edge of cloth, such as a cuff, neckband or hem;
+/// lengths in metres.
 #[derive(Clone, Copy, Debug)]
 pub struct Band<'a> {
     /// Direction in which the band continues the cloth; unit vector.
@@ -58,7 +59,7 @@ const PROFILE: [(f64, f64); 6] = [
     (0.85, -0.2),
 ];
 
-/// One point of the edge.
+/// Point of the cloth's edge at which a band starts.
 #[derive(Clone)]
 struct Station {
     place: DVec3,
@@ -67,7 +68,7 @@ struct Station {
     weights: Weights,
 }
 
-/// A band along a boundary loop of a shell.
+/// Builds a band along a boundary loop of a cloth surface.
 #[must_use]
 pub fn along_edge(cloth: &Shell, ring: &[u32], band: &Band<'_>) -> Shell {
     let stations: Vec<Station> = ring

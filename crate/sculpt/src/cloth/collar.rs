@@ -12,7 +12,7 @@ use raconteur_body::skeleton::Bone;
 /// Treatment of the ends of rows.
 #[derive(Clone, Copy)]
 enum Ends {
-    /// They are rings.
+    /// Rows are closed rings.
     Joined,
     /// Faces between four rows close them.
     Closed(&'static [[usize; 4]]),
@@ -111,7 +111,7 @@ pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
     })
 }
 
-/// Height of a collar's foot at the neck's sides.
+/// Returns the height of the collar's base at the sides of the neck, metres.
 fn base(wearer: &Wearer<'_>) -> f64 {
     wearer.joints.position_of(Bone::Cervical).y + 3.6 * CM * wearer.scale
 }
@@ -153,7 +153,7 @@ fn profile(wearer: &Wearer<'_>, turn: f64) -> Vec<DVec3> {
     rows.chain(BACK_ROWS.into_iter().map(standing)).collect()
 }
 
-/// A hood that hangs down: a roll round the neck, open in front, with a bag behind.
+/// Builds a hanging hood: a roll around the neck, open in front, with a bag behind.
 #[must_use]
 pub fn hood(wearer: &Wearer<'_>, clear_cm: f64) -> Shell {
     const STATIONS: usize = 37;

@@ -5,7 +5,8 @@ use raconteur_base::{DVec3, Side, mirror_vector};
 use super::finish::Fabric;
 use super::sheet::Sheet;
 
-/// Cut of a top; centimetres on a body of 175 cm unless said otherwise.
+/// Cut of a top garment, such as a sweater; centimetres on a body of 175 cm unless stated
+/// otherwise.
 #[derive(Clone, Copy, Debug)]
 pub struct TopCut {
     /// Name of its parts.
@@ -32,10 +33,10 @@ pub struct TopCut {
     pub seed: u64,
 }
 
-/// A top before its edges are finished.
+/// Draped top garment before its edges are finished.
 #[derive(Clone, Debug)]
 pub struct Top {
-    /// The draped cloth.
+    /// Draped cloth of the garment.
     pub sheet: Sheet,
     /// Loop at the neck.
     pub neck: Vec<u32>,
@@ -45,7 +46,7 @@ pub struct Top {
     pub cuffs: Vec<Vec<u32>>,
 }
 
-/// Zone of the cloth that a fold may affect.
+/// Zone of the cloth to which a fold applies: trunk or one sleeve.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum ClothZone {
     Trunk,

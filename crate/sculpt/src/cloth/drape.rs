@@ -8,10 +8,11 @@ use raconteur_base::{DVec3, noise};
 use crate::subdivide::edge_faces;
 use crate::torso::{CM, Field, Regions, Shell};
 
-/// Stiffnesses and counts; lengths in metres.
+/// Parameters of the cloth simulation that drapes a garment: steps, gravity and collision regions;
+/// lengths in metres.
 #[derive(Clone, Copy, Debug)]
 pub struct DrapeParams {
-    /// Steps.
+    /// Number of simulation steps.
     pub steps: usize,
     /// Sweeps over all links a step.
     pub sweeps: usize,
@@ -35,10 +36,10 @@ impl Default for DrapeParams {
     }
 }
 
-/// Garment during draping.
+/// State of a garment while it is draped on the body.
 #[derive(Clone, Debug)]
 pub struct Draping {
-    /// The cloth.
+    /// Cloth surface in its present state.
     pub shell: Shell,
     /// Positions whose distances are the cloth's rest lengths.
     pub rest: Vec<DVec3>,

@@ -9,7 +9,7 @@ use super::wearer::Wearer;
 use crate::part::MeshPart;
 use crate::torso::{CM, Shell};
 
-/// A dressed body.
+/// Dressed body: meshes of clothes and shoes, and the cloth surface on which hair may rest.
 #[derive(Clone, Debug)]
 pub struct Dressed {
     /// Clothes and shoes, with one material for each kind of cloth.
@@ -18,7 +18,7 @@ pub struct Dressed {
     pub surface: Shell,
 }
 
-/// The V of a cardigan: where it begins, where it ends, half its width at a height.
+/// V-neckline of a cardigan: lower and upper end, and half its width.
 pub(super) struct Neckline {
     pub(super) low: f64,
     pub(super) high: f64,

@@ -8,7 +8,7 @@ use crate::part::{MeshPart, PartVertex};
 use crate::torso::{Field, Regions, Shell};
 use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
-/// A straight axis about which cloth is unrolled.
+/// Straight axis about which a piece of cloth is unrolled into texture coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct UnrollAxis {
     /// A point of the axis.
@@ -32,8 +32,8 @@ impl UnrollAxis {
     }
 }
 
-/// Occlusion of a surface point by the body: steps along the normal that the field's
-/// distance falls short of.
+/// Returns the ambient visibility of a cloth point next to the body, 0.12 (occluded) to 1 (open),
+/// from distances along the normal.
 #[must_use]
 pub fn openness(field: &Field, p: DVec3, normal: DVec3) -> f64 {
     let mut shortfall = 0.0;
@@ -74,17 +74,17 @@ fn fold_openness(shell: &Shell, normals: &[DVec3]) -> Vec<f64> {
         .collect()
 }
 
-/// Material of a piece of clothing.
+/// Material of a piece of clothing: kind of cloth and dye.
 #[derive(Clone, Copy, Debug)]
 pub struct Fabric {
     /// Weave, leather or plain.
     pub kind: MaterialKind,
-    /// Linear RGB.
+    /// Dye of the cloth, linear RGB.
     pub dye: [f64; 3],
 }
 
 impl Fabric {
-    /// The same cloth in a darker or lighter dye.
+    /// Returns the same cloth with its dye multiplied by a factor, darker or lighter.
     #[must_use]
     pub fn shaded(self, by: f64) -> Self {
         Self {
@@ -93,7 +93,7 @@ impl Fabric {
         }
     }
 
-    /// The same dye in another weave.
+    /// Returns a fabric of another kind with the same dye.
     #[must_use]
     pub fn woven(self, kind: MaterialKind) -> Self {
         Self { kind, ..self }
@@ -111,7 +111,7 @@ impl Fabric {
     }
 }
 
-/// Parameters for unrolling a shell.
+/// Assignment of the faces of a cloth surface to the axes about which they are unrolled.
 #[derive(Clone, Copy)]
 pub struct Unrolling<'a> {
     /// Axes of its parts.

@@ -5,7 +5,7 @@ use raconteur_base::{DVec3, noise, ops};
 
 use super::fade;
 
-/// One fold.
+/// Fold of a garment, put into the rest shape of its cloth before draping.
 #[derive(Clone, Copy, Debug)]
 pub enum Fold {
     /// Round an axis.
@@ -14,7 +14,8 @@ pub enum Fold {
     Line(Line),
 }
 
-/// A fold round a limb or the trunk; lengths in metres, angles in radians.
+/// Fold around a limb or the trunk: a ridge at a position along an axis; lengths in metres, angles
+/// in radians.
 #[derive(Clone, Copy, Debug)]
 pub struct Ring {
     /// A point of the axis.
@@ -27,28 +28,28 @@ pub struct Ring {
     pub along: f64,
     /// Middle of the fold.
     pub angle: f64,
-    /// Half the angle that it spans; from π on it runs all round.
+    /// Half of the angle that the fold spans, radians; from π on it runs all round.
     pub span: f64,
     /// Climb along the axis per radian.
     pub tilt: f64,
-    /// Half width of the ridge.
+    /// Half width of the ridge, metres.
     pub width: f64,
-    /// Its height.
+    /// Height of the ridge, metres.
     pub height: f64,
 }
 
-/// A fold along a line; metres.
+/// Fold along a curved line; lengths in metres.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// Start point.
+    /// Start point of the fold, metres.
     pub from: DVec3,
-    /// End point.
+    /// End point of the fold, metres.
     pub to: DVec3,
     /// Offset of its middle from the straight line.
     pub bow: DVec3,
-    /// Half width of the ridge.
+    /// Half width of the ridge, metres.
     pub width: f64,
-    /// Its height.
+    /// Height of the ridge, metres.
     pub height: f64,
 }
 
@@ -111,12 +112,12 @@ impl Line {
     }
 }
 
-/// A seeded number in ±1 for the folds of one garment.
+/// Source of seeded random numbers in ±1 that vary the folds of one garment.
 #[derive(Clone, Copy, Debug)]
 pub struct SeededRandom(pub u64);
 
 impl SeededRandom {
-    /// Returns the `n`th random number of an item.
+    /// Returns the `n`th random number of an item, −1 to 1.
     #[must_use]
     pub fn sample(self, thing: u64, n: usize) -> f64 {
         noise::signed(self.0, 100 + thing, n as i64)

@@ -9,7 +9,7 @@ use crate::torso::cage::{HOLE, Key};
 use crate::torso::{CM, Cage, Joints};
 use raconteur_body::skeleton::Bone;
 
-/// The folds of a top.
+/// Returns the folds of a top garment with the zones that they affect.
 pub(super) fn folds(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Vec<(ClothZone, Fold)> {
     let mut out = Vec::new();
     for side in Side::BOTH {
@@ -132,7 +132,7 @@ fn chest_folds(
     line(6, at(row(0.70), 8), at(row(0.59), 8), bow, [1.9, 0.30]);
 }
 
-/// Cloth that slides down and gathers above the hem, more at the sides.
+/// Adds folds of cloth that slides down and gathers above the hem, more at the sides.
 fn waist_folds(out: &mut Vec<(ClothZone, Fold)>, top: &Top, wearer: &Wearer<'_>, cut: &TopCut) {
     let unit = CM * wearer.scale;
     let chance = SeededRandom(cut.seed + 20);

@@ -15,8 +15,8 @@ const BELOW: f64 = 6.0 * CM;
 /// Shoulders and chin go on; farther than this from the axis there is no query, metres.
 const MAX_RADIUS_M: f64 = 0.16;
 
-/// Distance of the skin from the neck's axis, by height and direction. Symmetric like clothes: the
-/// larger distance of the two halves counts.
+/// Skin of the neck, as distance from its axis by height and direction, for collars. It is
+/// symmetric like clothes: the larger distance of both halves counts.
 #[derive(Clone, Debug)]
 pub struct Neck {
     low: f64,
@@ -74,8 +74,8 @@ impl Neck {
         )
     }
 
-    /// A point `off` metres outside the skin, level with it, at an angle from the front to the
-    /// left and a height.
+    /// Returns the point `off` metres outside the skin, measured horizontally, at a height and an
+    /// angle from the front to the left.
     #[must_use]
     pub fn point(&self, angle_rad: f64, y: f64, off: f64) -> DVec3 {
         let (radius, axis_z) = self.radius_at(angle_rad, y);
@@ -90,7 +90,7 @@ impl Neck {
         (p.x * p.x + (p.z - axis_z) * (p.z - axis_z)).sqrt() - radius
     }
 
-    /// Approximate distance from the skin, metres, and the outward unit normal.
+    /// Returns the approximate distance from the skin, metres, and the outward unit normal.
     #[must_use]
     pub fn value_and_normal(&self, p: DVec3) -> (f64, DVec3) {
         // Over as much as cloth bridges.
@@ -153,7 +153,7 @@ fn bridge(row: &mut Row) {
     }
 }
 
-/// The direction of a sector.
+/// Returns the unit direction of a sector around the neck; sector 0 faces the front.
 fn direction(k: usize) -> DVec3 {
     let (s, c) = ops::sincos(core::f64::consts::TAU * k as f64 / SECTORS as f64);
     DVec3::new(s, 0.0, c)

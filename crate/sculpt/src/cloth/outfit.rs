@@ -22,7 +22,7 @@ use crate::torso::{CM, Cage, Regions, Shell};
 use raconteur_body::figure::MaterialKind;
 use raconteur_body::skeleton::Bone;
 
-/// Dresses a body.
+/// Builds the clothes of an outfit on a body.
 #[must_use]
 pub fn dress(wearer: &Wearer<'_>, outfit: &Outfit) -> Dressed {
     let mut made = match outfit {
@@ -135,7 +135,7 @@ fn finish_top(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, cut: &TopCut) 
     made.surface.append(top.sheet.shell.clone());
 }
 
-/// Corduroy trousers and leather shoes.
+/// Builds corduroy trousers and leather shoes for the cardigan outfit.
 fn cardigan_legs(wearer: &Wearer<'_>, c: &Cardigan) -> (Dressed, Shell) {
     below(
         wearer,
@@ -229,7 +229,7 @@ fn open_along_vee(top: &mut Top, wearer: &Wearer<'_>, vee: &Neckline) {
     );
 }
 
-/// Five buttons on the edge in front, from the hem to the V.
+/// Adds five buttons on the front edge, from the hem to the V-neckline.
 fn buttons(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, vee: &Neckline, dye: [f64; 3]) {
     let unit = CM * wearer.scale;
     let lay = LayingSurface::new(&top.sheet.shell);
@@ -244,7 +244,7 @@ fn buttons(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, vee: &Neckline, d
     }
 }
 
-/// A patch pocket on each side: the welt at its mouth and the seam around its bag.
+/// Adds a patch pocket on each side: the welt at its opening and the seam around its bag.
 fn patch_pockets(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, rib: Fabric) {
     let unit = CM * wearer.scale;
     let lay = LayingSurface::new(&top.sheet.shell);
@@ -277,7 +277,8 @@ fn patch_pockets(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, rib: Fabric
     }
 }
 
-/// The cardigan's edge: up the front, along the V, round the nape and back.
+/// Returns the path of the cardigan's edge: up the front, along the V-neckline, around the nape and
+/// back.
 fn placket(wearer: &Wearer<'_>, top: &Top, vee: &Neckline) -> Vec<SurfacePoint> {
     let unit = CM * wearer.scale;
     let shell = &top.sheet.shell;
@@ -380,7 +381,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
     made
 }
 
-/// The edges of a pocket in front for both hands, and the cords of the hood.
+/// Adds the edges of the front pocket for both hands, and the cords of the hood.
 fn pouch_and_cords(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, c: &Hoodie) {
     let unit = CM * wearer.scale;
     let edge = cloth(MaterialKind::Fleece, c.fleece).shaded(0.93);
@@ -426,7 +427,7 @@ fn pouch_and_cords(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, c: &Hoodi
     made.parts.push(trim(wearer, &strip(&path, &mouth), edge));
 }
 
-/// The edge of a T-shirt that shows in the hood's opening.
+/// Builds the edge of the T-shirt that shows in the hood's opening.
 fn t_shirt(wearer: &Wearer<'_>, dye: [f64; 3]) -> MeshPart {
     let unit = CM * wearer.scale;
     let rows = Cage::row_at(0.814)..Cage::row_at(0.842);

@@ -8,10 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::sheet::Sheet;
 use crate::torso::weights::Weights;
 
-/// Appearance of a seam; metres.
+/// Dimensions of a sewn seam in cloth; metres.
 #[derive(Clone, Copy, Debug)]
 pub struct Stitch {
-    /// Half the width of the groove.
+    /// Half width of the groove, metres.
     pub reach: f64,
     /// Depth of the seam.
     pub depth: f64,

@@ -8,10 +8,11 @@ use raconteur_base::DVec3;
 use crate::torso::cage::{Key, Tag};
 use crate::torso::{CM, Cage, Field, Regions, Shell};
 
-/// Cloth between the cage and the finished garment.
+/// Cloth of a garment under construction, cut from the body's cage (coarse control mesh that is
+/// subdivided), whose positions stay addressable for seams and edges.
 #[derive(Clone, Debug)]
 pub struct Sheet {
-    /// Its surface.
+    /// Cloth surface.
     pub shell: Shell,
     /// Ring of the cage from which each face comes.
     pub tags: Vec<Tag>,
@@ -93,7 +94,7 @@ impl Sheet {
         }
     }
 
-    /// Keeps only the selected faces.
+    /// Keeps only the selected faces and removes all others.
     pub fn retain(&mut self, wanted: impl Fn(&Shell, usize) -> bool) {
         let kept: Vec<bool> = (0..self.shell.faces.len())
             .map(|f| wanted(&self.shell, f))

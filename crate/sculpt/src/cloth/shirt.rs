@@ -76,7 +76,7 @@ pub(super) fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: 
     cuffs(made, wearer, woven);
 }
 
-/// The shirt's cuffs show below the cardigan's.
+/// Adds the shirt's cuffs that show below those of the cardigan.
 fn cuffs(made: &mut Dressed, wearer: &Wearer<'_>, fabric: Fabric) {
     let unit = CM * wearer.scale;
     let first = Cage::arm_ring_at(1.85);

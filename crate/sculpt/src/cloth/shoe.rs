@@ -10,7 +10,7 @@ use crate::part::MeshPart;
 use crate::torso::{CM, Joints, Shell, weights::Weights};
 use raconteur_body::skeleton::Bone;
 
-/// Kind of shoe.
+/// Style of a shoe: leather shoe or sneaker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShoeStyle {
     /// Plain leather, a narrow sole with a heel.
@@ -19,16 +19,16 @@ pub enum ShoeStyle {
     Sneaker,
 }
 
-/// Shoes for one wearer.
+/// Cut of a pair of shoes for one wearer: style, materials and width.
 #[derive(Clone, Copy, Debug)]
 pub struct ShoeCut {
-    /// Kind.
+    /// Style of the shoes.
     pub style: ShoeStyle,
-    /// Upper.
+    /// Material of the upper.
     pub upper: Fabric,
     /// Sole, and a sneaker's cap.
     pub sole: Fabric,
-    /// Laces.
+    /// Material of the laces.
     pub lace: Fabric,
     /// Width against an average shoe.
     pub width: f64,
@@ -111,7 +111,7 @@ struct Foot {
 }
 
 impl Foot {
-    /// A ring of the upper.
+    /// Returns a ring of points of the shoe's upper.
     fn upper(&self, [t, w, h, shift]: [f64; 4]) -> Vec<DVec3> {
         let (w, h) = (w * self.half_width, h * self.length);
         // The instep is a ridge, the toe a dome.
@@ -232,7 +232,7 @@ fn loft(rings: &[Vec<DVec3>], weights: impl Fn(DVec3) -> Weights) -> Shell {
     out
 }
 
-/// Both shoes.
+/// Builds both shoes.
 #[must_use]
 pub fn shoes(wearer: &Wearer<'_>, cut: &ShoeCut) -> Vec<MeshPart> {
     let joints = wearer.joints;
@@ -290,7 +290,7 @@ pub fn shoes(wearer: &Wearer<'_>, cut: &ShoeCut) -> Vec<MeshPart> {
     parts
 }
 
-/// Darker towards the floor.
+/// Darkens the vertices of a shoe towards the floor.
 fn ground(part: &mut MeshPart, sole: f64) {
     for v in &mut part.vertices {
         v.color[3] = 0.40 + 0.60 * fade(v.position.y, -sole, 3.0 * sole);

@@ -4,12 +4,12 @@ use raconteur_base::{DVec3, ops};
 
 use crate::torso::{Shell, weights::Weights};
 
-/// Point on cloth.
+/// Point on a cloth surface to which strips and buttons are attached.
 #[derive(Clone, Debug)]
 pub struct SurfacePoint {
-    /// Position.
+    /// Position of the point, world, metres.
     pub place: DVec3,
-    /// Outwards, unit.
+    /// Outward unit normal of the surface.
     pub normal: DVec3,
     /// Skinning weights there.
     pub weights: Weights,

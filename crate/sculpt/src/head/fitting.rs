@@ -34,7 +34,7 @@ pub struct MeasureGoal {
     /// After it.
     pub after: f64,
     /// Wanted value.
-    pub wanted: f64,
+    pub target: f64,
 }
 
 /// The measures of a head, millimetres, in the order of [`Measure::all`].
@@ -42,14 +42,14 @@ pub struct MeasureGoal {
 pub fn measures(bound: &ModelHeadShape) -> [f64; Measure::COUNT] {
     let points = fit(bound, |_| None).points;
     let at: At<'_> = &|key| points.get(&key).copied().unwrap_or(DVec3::ZERO);
-    core::array::from_fn(|i| (DEFINITIONS[i].take)(at))
+    core::array::from_fn(|i| (DEFINITIONS[i].measurer)(at))
 }
 
 /// A measure to reach.
 struct Target {
     measure: Measure,
     row: &'static Row,
-    wanted: f64,
+    target: f64,
 }
 
 impl Target {
@@ -59,7 +59,7 @@ impl Target {
             Some(Self {
                 measure: d.measure,
                 row: &d.row,
-                wanted,
+                target: wanted,
             })
         });
         known.collect()
@@ -136,7 +136,7 @@ impl Fitting<'_> {
         });
         let missing = Mat::from_fn(m, 1, |t, _| {
             let led: f64 = (0..n).map(|d| effect[(t, d)] * pull[d]).sum();
-            self.targets[t].wanted - now[t] - led
+            self.targets[t].target - now[t] - led
         });
         let solved = system.full_piv_lu().solve(&missing);
         Ok((0..n)
@@ -174,7 +174,7 @@ pub fn fit_measures(
         measure: t.measure,
         before,
         after,
-        wanted: t.wanted,
+        target: t.target,
     });
     // A hundredth of a detail is invisible.
     let mut rounded = fitted.clone();

@@ -69,7 +69,7 @@ pub(crate) struct Definition {
     pub(crate) landmarks: &'static str,
     /// Its statistics.
     pub(crate) row: Row,
-    pub(crate) take: Measurer,
+    pub(crate) measurer: Measurer,
 }
 
 fn breadth(p: DVec3) -> f64 {
@@ -115,7 +115,7 @@ macro_rules! row {
 pub(crate) const DEFINITIONS: [Definition; 22] = {
     use Measure as M;
     const fn known(measure: M, name: &'static str, landmarks: &'static str, row: Row, take: Measurer) -> Definition {
-        Definition { measure, name, landmarks, row, take }
+        Definition { measure, name, landmarks, row, measurer: take }
     }
     [
         known(M::HeadLength, "head_length", "g-op", row!([199.5, 189.8], [7.0, 7.4], [0.945, 0.95], NO_CHANGE, Ansur),
@@ -248,7 +248,7 @@ mod tests {
         let all = ModelHeadShape::default().symmetric();
         for d in &DEFINITIONS {
             let norm = d.row.norm_at(0.5, 28.0);
-            let off = ((d.take)(&|key| all[&key]) - norm.mean) / norm.sd;
+            let off = ((d.measurer)(&|key| all[&key]) - norm.mean) / norm.sd;
             assert!(off.abs() < 2.0, "{}: {off:.2} deviations", d.name);
         }
     }

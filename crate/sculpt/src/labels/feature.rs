@@ -1,4 +1,4 @@
-//! Features: labels that are read off places of the skin, and where each lies.
+//! Features: labels read from points on the skin, and the position of each.
 
 use raconteur_base::{DVec3, Side};
 

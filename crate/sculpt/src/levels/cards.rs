@@ -1,6 +1,6 @@
 //! Coarser levels of hair: fewer cards with fewer spans. A simplifier would leave triangles that
-//! are no strips; which cards can go is known better here: those that least light comes to, as
-//! others hide them, from everywhere on the scalp alike.
+//! are not strips. This module selects the cards to remove: those that receive least light, as
+//! others hide them, evenly over the scalp.
 
 use std::collections::BTreeMap;
 

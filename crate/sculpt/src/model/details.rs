@@ -1,4 +1,4 @@
-//! What of a head differs between people: the model's details in pairs of opposites.
+//! Differences between people's heads: the model's details in pairs of opposites.
 
 use std::collections::BTreeMap;
 

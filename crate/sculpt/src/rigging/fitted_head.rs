@@ -1,4 +1,4 @@
-//! Our head laid on another's, and the figure that comes of it.
+//! Generated head fitted to an imported head, and the resulting figure.
 
 use std::collections::BTreeMap;
 
@@ -83,7 +83,7 @@ pub(super) fn fit_head(made: Mannequin, warp: Warp, theirs: &Surface) -> FittedH
     let found: Vec<Option<DVec3>> = (0..points.len())
         .map(|v| {
             if sources[v].0 > 0 {
-                // The bag goes with the lips, deeper in the mouth with the teeth.
+                // The mouth bag follows the lips, and deeper in the mouth the teeth.
                 return (points[v].z < inside).then_some(points[v] + middle - bent[v]);
             }
             let place = theirs.nearest(bent[v], |place| place.normal.dot(normals[v]) > FACING)?;

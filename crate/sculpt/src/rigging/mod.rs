@@ -1,9 +1,9 @@
-//! Gives a head that somebody else made what ours have: muscles, tissue, jaw, eyes and lids
-//! (F&H section 3.1.2, "Creating New Animatable Head Models").
+//! Rigging of imported heads: adds muscles, tissue, jaw, eyes and lids (F&H section 3.1.2,
+//! "Creating New Animatable Head Models").
 //!
-//! Our head is bent to the other through landmarks, laid on its surface, and each of its places
-//! takes what lies there: shares of the joints, and the nodes of the tissue that it follows.
-//! Bones, fibres and teeth keep their depths below the skin.
+//! The generated head is bent to the other through landmarks and projected onto its surface; each
+//! vertex of the other takes the data at its position: joint weights, and the tissue nodes that it
+//! follows. Bones, fibres and teeth keep their depths below the skin.
 
 mod fitted_head;
 #[cfg(test)]

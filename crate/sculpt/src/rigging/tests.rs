@@ -1,4 +1,4 @@
-//! A head of ours stands in for another's: what it is rigged to can be compared with its own.
+//! A generated head replaces an imported one, so that its rigging can be compared with its own.
 
 use raconteur_body::face::{FaceControls, Jaw, Muscle, Network};
 

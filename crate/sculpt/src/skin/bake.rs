@@ -1,5 +1,5 @@
-//! From the surface to two pictures: every texel's tissue is evaluated where it lies on the
-//! body, its height becomes a normal, and both are filled out and encoded.
+//! Baking of the surface to two images: every texel's tissue is evaluated at its position on the
+//! body, its height becomes a normal, and both images are filled and encoded.
 
 use jpeg_encoder::{ColorType, Encoder, QuantizationTableType, SamplingFactor};
 use raconteur_base::color::linear_to_srgb;
@@ -141,7 +141,7 @@ pub(super) fn evaluate(layers: &[Layer<'_>]) -> Pictures {
         })
     };
     let mut texels: Vec<Option<Texel>> = vec![None; SIZE * SIZE];
-    // Interleaved strips, so that two threads get like shares of face and empty space.
+    // Interleaved strips, so that two threads receive equal shares of face and empty space.
     const STRIP: usize = 32 * SIZE;
     std::thread::scope(|scope| {
         let mut halves: [Vec<(&mut [_], &[_])>; 2] = [Vec::new(), Vec::new()];

@@ -1,10 +1,10 @@
-//! Expressive wrinkles (F&H section 3.1.2): the lines that contracting muscles bring forth, by
-//! the cage's own coordinates; across the pull of the muscle, as all of them run.
+//! Expressive wrinkles (F&H section 3.1.2): the lines caused by contracting muscles, in the cage's
+//! own coordinates and perpendicular to the pull of the muscle.
 //!
-//! Three kinds, one a channel of the map, so that muscles side by side fold apart: see
-//! [`Maps::wrinkles`](raconteur_body::figure::Maps::wrinkles). Where lines lie: Pessa and Rohrich,
-//! "Facial Topography", 2012. Depths *designed*: a child's skin folds little, an old man's to
-//! most of a millimetre, in folds wider than the fine lines that stay.
+//! Three kinds, one per channel of the map, so that adjacent muscles fold separately: see
+//! [`Maps::wrinkles`](raconteur_body::figure::Maps::wrinkles). Positions of lines: Pessa and
+//! Rohrich, "Facial Topography", 2012. Depths *designed*: a child's skin folds little, an old man's
+//! to most of a millimetre, in folds wider than the permanent fine lines.
 
 use raconteur_base::{DVec3, Side, ops};
 
@@ -69,7 +69,7 @@ impl ExpressionMarks {
     pub(super) fn heights_mm(&self, q: DVec3, p: DVec3, normal: DVec3) -> [f64; 3] {
         let mut heights = [0, 1, 2].map(|kind: usize| {
             let felt = self.kinds[kind].sample(q, normal);
-            // Skin that folds stands up beside the furrow.
+            // Folding skin rises next to the furrow.
             0.45 * felt.bank - felt.core
         });
         let d = (q - CHIN[0]) / CHIN[1];
@@ -256,7 +256,7 @@ fn bunny(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
 fn lips(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     let mut k = 0.25;
     while k < 11.8 {
-        // Beside the corners there are others.
+        // Other lines exist next to the corners.
         if !(4.9..7.1).contains(&k) {
             let lean = scribe.between(-0.15, 0.15);
             let out = scribe.between(0.0, 0.35);

@@ -1,7 +1,7 @@
-//! Skin of head and neck: how blood, melanin and relief differ between its parts.
+//! Skin of head and neck: variation of blood, melanin and relief between its parts.
 //!
-//! Places are on the mean head (mm; x left, y up, z front, origin between the tragions), so
-//! that they follow every person's face.
+//! Positions are on the mean head (mm; x left, y up, z front, origin between the tragions), so that
+//! they follow every person's face.
 
 use raconteur_base::{DVec3, ops};
 
@@ -50,7 +50,7 @@ const ZONES: [Zone; 18] = [
     zone([15.0, 18.0, 90.0], [6.0, 8.0, 9.0], 0.30, 0.10, -0.10, -0.4),
     zone([31.0, 31.0, 86.0], [15.0, 6.0, 11.0], 0.16, 0.00, 0.02, -0.6),
     zone([36.0, 42.0, 90.0], [16.0, 4.0, 9.0], 0.06, 0.00, 0.02, 0.0),
-    // Ear, fold beside the mouth, skin about the mouth, side of the jaw.
+    // Ear, fold next to the mouth, skin around the mouth, side of the jaw.
     zone([84.0, 4.0, -10.0], [14.0, 34.0, 24.0], 0.62, 0.00, 0.08, -0.3),
     zone([27.0, -28.0, 93.0], [4.5, 9.0, 8.0], 0.30, 0.04, 0.00, 0.3),
     zone([0.0, -36.0, 104.0], [20.0, 6.0, 12.0], 0.10, 0.04, 0.00, 0.1),
@@ -172,7 +172,7 @@ impl FacePainter<'_> {
         let fade = 1.0 - 0.7 * ops::exp(-(half - corner).length_squared() / (2.0 * 2.6 * 2.6));
         let lip = rise(0.55, 1.75, mouth + 1.6 * edge) * fade;
         self.lip(&mut tissue, lip, p, seed);
-        // Redder and darker where the lips roll in, to the line where they meet.
+        // Redder and darker where the lips roll in, up to their contact line.
         tissue.ln_blood += 0.35 * rise(2.2, 4.2, mouth) * fade;
         tissue.light *= 1.0 - 0.3 * rise(2.8, 4.6, mouth);
         // A pale line where the red begins.
@@ -210,7 +210,7 @@ impl FacePainter<'_> {
             tissue.folds_mm = [red, green * off_lips, blue * (1.0 - rise(1.2, 2.2, mouth))];
         }
 
-        // Short fine hairs that none stands for; pale ones show less.
+        // Short fine hairs without geometry of their own; pale ones are less visible.
         tissue.blend(s.brow_colour, brow * (0.30 + 0.34 * self.brow_stain));
         if let Some((rgb, share)) = self.cap.and_then(|c| c.sample(p * 1e-3)) {
             tissue.blend(rgb, share);
@@ -276,7 +276,7 @@ impl FacePainter<'_> {
         let p = at.on_own;
         let wrinkle = self.marks.wrinkles.sample(at.on_mean, at.normal);
         tissue.height_mm += 0.3 * wrinkle.bank - wrinkle.core;
-        // Less light in the furrow, and what there is comes through blood.
+        // The furrow receives less light, and that light passes through blood.
         tissue.light *= 1.0 - (0.5 * wrinkle.core).min(0.4);
         tissue.ln_blood += 0.5 * wrinkle.core;
         // Furrows of the net run 0.6 to 1.5 mm apart and widen with age (*designed*).
@@ -321,7 +321,7 @@ impl FacePainter<'_> {
         tissue.height_mm += 0.04 * share * root;
         let short = self.skin.short_beard * area;
         if short > 0.0 {
-            // Hairs lie downwards: streaks longer than broad.
+            // Hairs point downwards: streaks longer than wide.
             let hair = space_noise(seed + 43, DVec3::new(p.x / 0.55, p.y / 2.6, p.z / 1.1));
             let tuft = space_noise(seed + 44, DVec3::new(p.x / 2.4, p.y / 5.0, p.z / 3.0));
             let light = 0.88 + 0.16 * hair + 0.10 * tuft;

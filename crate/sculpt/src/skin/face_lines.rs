@@ -1,9 +1,8 @@
 //! Lines and spots of the face, laid out by the cage's own coordinates.
 //!
-//! Which lines come and when: forehead, glabella and crow's feet from the late twenties,
-//! the folds about the mouth from forty, cheeks and neck later (order after Pessa and
-//! Rohrich, "Facial Topography", 2012; depths *designed*, of the order of the 0.1 to 0.5 mm
-//! that profilometry finds).
+//! Onset of the lines: forehead, glabella and crow's feet from the late twenties, the folds about
+//! the mouth from forty, cheeks and neck later (order after Pessa and Rohrich, "Facial Topography",
+//! 2012; depths *designed*, of the order of the 0.1 to 0.5 mm that profilometry finds).
 
 use raconteur_base::{DVec3, Side, mirror_vector, noise};
 
@@ -205,7 +204,7 @@ impl<'a> Scribe<'a> {
             let strength = 0.18 * age * self.between(0.4, 1.0);
             self.line(side, &through, strength, 0.38, 0.4);
         }
-        // The fold of the upper lid, which its plate shows when it comes down.
+        // The fold of the upper lid, visible on its plate when the lid closes.
         let fold: Vec<DVec3> = (0..=8)
             .map(|k| self.places.eye(3.05, 0.9 + 6.4 * f64::from(k) / 8.0))
             .collect();
@@ -244,7 +243,7 @@ impl<'a> Scribe<'a> {
             ];
             let strength = (0.09 + 0.07 * self.skin.since(30.0)) * self.between(0.4, 1.1);
             self.line(side, &through, strength, 0.36, 0.25);
-            // Few reach far; beside the corners none.
+            // Few lines are long; next to the corners none are.
             if age > 0.0 && !(5.0..7.0).contains(&k) && self.chance() < 0.62 {
                 let out = self.between(-0.2, 0.75);
                 let through = [
@@ -424,7 +423,7 @@ pub(super) fn face_marks(skin: &SkinParams, places: &Places, sheet: &HeadSheet) 
             let band = (p.y - 2.0) / 17.0;
             let cheeks = raconteur_base::ops::exp(-band * band) * rise(48.0, 84.0, p.z);
             let rest = 0.16 * rise(30.0, 80.0, p.z) * rise(-95.0, -70.0, p.y);
-            // They come in groups.
+            // The lines occur in groups.
             let group = 0.55 + 0.8 * space_noise(skin.seed + 90, p / 8.0);
             skin.freckles * (cheeks + rest).min(1.0) * group
         };

@@ -58,8 +58,8 @@ impl HandPainter<'_> {
         let seed = (self.skin.seed << 8) + 128;
         let mut tissue = self.base;
         let k = self.skin.contrast;
-        // The palm has a thick clear horn layer and less melanin: a fifth (Jacques 1998), drawn with a
-        // third, or dark skin's palms would look grey.
+        // The palm has a thick clear horny layer and less melanin: a fifth (Jacques 1998); it is
+        // rendered with a third, because dark skin's palms would look grey.
         tissue.ln_melanosomes -= (0.50 + 0.65 * self.skin.melanin) * palm;
         tissue.ln_melanosomes += 0.10 * (1.0 - palm);
         tissue.ln_blood += k * palm * (0.24 + 0.5 * cushion + 0.55 * tip);

@@ -1,4 +1,4 @@
-//! Lines, veins and spots of the hand, drawn from its sheet.
+//! Lines, veins and spots of the hand, derived from its sheet.
 
 use raconteur_base::noise;
 
@@ -29,7 +29,7 @@ pub(super) fn spots(sheet: &HandSheet, skin: &SkinParams) -> Marks {
     let aged = skin.sun * skin.since(40.0);
     for (i, p) in (0u64..).zip(&sheet.at) {
         let chance = |k: i64| noise::unit(skin.seed ^ 0x5407, i, k);
-        // A vertex stands for about 12 mm².
+        // A vertex represents about 12 mm².
         if sheet.normals[i as usize].z < 0.0 && chance(0) < 0.05 * aged {
             marks.spot(
                 *p,

@@ -1,7 +1,7 @@
-//! Things drawn on the skin: lines and spots, found again by place.
+//! Marks on the skin: lines and spots, found by position.
 //!
-//! A mark is a short stroke between two places, or a spot where both are one. Long lines
-//! are chains of strokes that taper, tremble and break off as real ones do.
+//! A mark is a short stroke between two points, or a spot if both coincide. Long lines are chains
+//! of strokes that taper, tremble and break off as real ones do.
 
 use raconteur_base::{DVec3, noise, ops};
 
@@ -239,7 +239,7 @@ mod tests {
             at(10.0, 0.0, 0.0) > 0.5,
             "the mark is visible at its centre"
         );
-        // Height over the surface does not count, the other side of a fold does.
+        // Height over the surface does not count; the other side of a fold does.
         assert!(
             (at(10.0, 0.0, 1.0) - at(10.0, 0.0, 0.0)).abs() < 1e-9,
             "the mark is the same at any depth"

@@ -1,5 +1,5 @@
-//! The skin's surface: one atlas for head and hands; a colour map, a normal map and heights
-//! of expressive wrinkles in it, made from pigments, blood, age and lines rather than painted.
+//! Surface of the skin: one atlas for head and hands, with a colour map, a normal map and heights
+//! of expressive wrinkles, made from pigments, blood, age and lines rather than painted.
 
 mod bake;
 mod expression_lines;

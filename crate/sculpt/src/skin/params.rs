@@ -1,4 +1,4 @@
-//! What tells one person's skin from another's.
+//! Parameters of a person's skin.
 
 use raconteur_base::ops;
 use serde::{Deserialize, Serialize};

@@ -1,13 +1,13 @@
-//! Colour of skin from its pigments: melanin in the epidermis, blood in the dermis.
+//! Skin colour from its pigments: melanin in the epidermis, blood in the dermis.
 //!
-//! Two layers after Jacques: a filter of melanin, passed twice, over a semi-infinite dermis
-//! whose diffuse reflectance follows from scattering and absorption. Optical properties:
-//! Jacques 2013, "Optical properties of biological tissues: a review",
-//! doi:10.1088/0031-9155/58/11/R37 (melanin, blood, scattering of skin; *paper*).
-//! Layering and ranges: Jacques 1998, "Skin optics", Oregon Medical Laser Center; close to
-//! Krishnaswamy and Baranoski 2004, doi:10.1111/j.1467-8659.2004.00764.x, and Donner and
-//! Jensen 2006, doi:10.2312/EGWR/EGSR06/409-417. Integrated over the visible spectrum under
-//! D65 with the matching functions of Wyman, Sloan and Shirley 2013 (JCGT 2(2)).
+//! Two layers after Jacques: a filter of melanin, passed twice, over a semi-infinite dermis whose
+//! diffuse reflectance follows from scattering and absorption. Optical properties: Jacques 2013,
+//! "Optical properties of biological tissues: a review", doi:10.1088/0031-9155/58/11/R37 (melanin,
+//! blood, scattering of skin; *paper*). Layering and ranges: Jacques 1998, "Skin optics", Oregon
+//! Medical Laser Center; close to Krishnaswamy and Baranoski 2004,
+//! doi:10.1111/j.1467-8659.2004.00764.x, and Donner and Jensen 2006,
+//! doi:10.2312/EGWR/EGSR06/409-417. Integrated over the visible spectrum under D65 with the
+//! matching functions of Wyman, Sloan and Shirley 2013 (JCGT 2(2)).
 
 use raconteur_base::ops;
 
@@ -238,7 +238,7 @@ mod tests {
                     now[0] / now[1] > last[0] / last[1],
                     "more melanin increases red relative to green"
                 );
-                // What the darkest skin reflects is greyer again.
+                // The reflection of the darkest skin is greyer again.
                 assert!(
                     i > 14 || now[1] / now[2] > last[1] / last[2],
                     "more melanin increases green relative to blue"
@@ -295,7 +295,7 @@ mod tests {
     fn a_blush_has_a_closed_form() {
         // The shader of the skin computes with it: `flushed` of the renderer's skin.wgsl.
         let closed = |x: f64| [0.15, 0.65, 0.62].map(|k| ops::exp(-k * (ops::exp(x / 2.0) - 1.0)));
-        // Blood that flows faster holds more oxygen.
+        // Faster blood contains more oxygen.
         for (x, oxygen) in [(-1.2, 0.70), (-0.4, 0.72), (0.5, 0.80), (1.15, 0.86)] {
             for melanosomes in [0.02, 0.06, 0.2] {
                 let rest = colour(&skin(melanosomes, 0.011));
@@ -305,8 +305,8 @@ mod tests {
                 });
                 for (c, share) in closed(x).into_iter().enumerate() {
                     let error = now[c] - rest[c] * share;
-                    // What melanosomes scatter back has not seen the blood: dark skin is off by
-                    // less than is seen.
+                    // Light scattered back by melanosomes has not passed the blood, so the
+                    // deviation on dark skin is below visibility.
                     let most = (0.03 * rest[c] * share).max(0.0125);
                     assert!(error.abs() < most, "{x} {melanosomes} {c}: {error}");
                 }

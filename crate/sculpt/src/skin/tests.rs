@@ -1,4 +1,4 @@
-//! What must hold for the atlas and the baked maps.
+//! Invariants of the atlas and the baked maps.
 
 use std::sync::OnceLock;
 
@@ -123,14 +123,14 @@ fn no_seen_skin_overlaps_in_the_atlas_and_all_of_it_is_inside() {
         inside as f64 / (SIZE * SIZE) as f64,
         raster.overlaps
     );
-    // A texel's middle may lie on the edge of two triangles.
+    // A texel's centre may lie on the edge of two triangles.
     assert!(raster.overlaps <= 3, "{}", raster.overlaps);
     assert!(inside * 2 > SIZE * SIZE, "{inside}");
 }
 
 #[test]
 fn faces_look_the_same_way_in_the_atlas() {
-    // Seen from outside, a triangle runs the same way round in the picture: no mirrored text.
+    // Seen from outside, a triangle has the same winding in the image: no mirrored text.
     let (head, hand) = sheets();
     for (uv, triangles) in [(&head.uv, &head.triangles), (&hand.uv, &hand.triangles)] {
         let turned = triangles
@@ -289,7 +289,7 @@ fn expressive_wrinkles_lie_where_their_muscles_fold_the_skin() {
     let chin = deepest(70.0, |q| {
         front(q) && q.x.abs() < 12.0 && (-88.0..-72.0).contains(&q.y)
     });
-    // The nape and the crown have none.
+    // Nape and crown have no wrinkles.
     let rest = deepest(70.0, |q| q.z < 0.0);
     println!(
         "{forehead:.3?} {brows:.3?} {temple:.3?} {cheek:.3?} {lips:.3?} {chin:.3?} {rest:.3?}"

@@ -1,4 +1,4 @@
-//! What skin is made of at one place.
+//! Composition of skin at one point.
 
 use super::SkinParams;
 use super::params::OXYGEN;

@@ -1,4 +1,4 @@
-//! Spheres inside skin and clothes that keep chains out, whatever the arms do.
+//! Spheres inside skin and clothes that keep chains out in any arm pose.
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 use raconteur_body::figure::Figure;

@@ -1,4 +1,4 @@
-//! What swings on a figure: the joints of its chains, and the spheres that keep them out of
+//! Swinging parts of a figure: the joints of its chains, and the spheres that keep them out of
 //! head, neck, shoulders and clothes.
 
 mod balls;

@@ -1,13 +1,13 @@
-//! Tests of bent joints: how much volume they lose and whether skin crosses itself.
+//! Tests of bent joints: loss of volume and self-intersection of skin.
 //!
-//! **Local volume.** The faces whose middles lie between two planes square to the limb, a
-//! little before and after the joint, are taken at rest; every open edge loop of that piece is
-//! closed by a fan to its middle. The enclosed volume is found by the divergence theorem, at
-//! rest and for the same faces posed.
+//! **Local volume.** The piece consists of the faces whose centres lie between two planes
+//! perpendicular to the limb, slightly before and after the joint, at rest; every open edge loop of
+//! that piece is closed by a fan to its centre. The enclosed volume is computed by the divergence
+//! theorem, at rest and for the same faces posed.
 //!
-//! **Crossing.** As in [`crossing`](crate::crossing). In the crease skin presses on skin, which a posed surface without
-//! contact can only show as overlap: triangles of the hollow side, within 1.3 radii of the limb
-//! along it from the joint, do not count.
+//! **Crossing.** As in [`crossing`](crate::crossing). In the crease, skin presses on skin, which a
+//! posed surface without contact can only show as overlap: triangles of the hollow side, within 1.3
+//! radii of the limb along it from the joint, do not count.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -128,7 +128,7 @@ fn middle(mesh: &Mesh, t: &[u32; 3]) -> DVec3 {
 
 impl<'a> Cut<'a> {
     fn new(mesh: &'a Mesh, keep: impl Fn(DVec3) -> bool) -> Self {
-        // Vertices at one place are one: seams of texture coordinates are no edges.
+        // Vertices at one position are one: seams of texture coordinates are not edges.
         let mut first: BTreeMap<[i64; 3], u32> = BTreeMap::new();
         let mut one = |v: u32| {
             let key = mesh.positions[v as usize].map(|x| (f64::from(x) * 1e6).round() as i64);
@@ -310,8 +310,8 @@ fn bent_fingers_keep_their_volume() {
     for name in &names {
         let bone = Bone::on(Side::Left, name);
         let frame = bind_of(figure, bone);
-        // The knuckle's piece would take in the webs; fingers bend 90° at the middle joint,
-        // 70° at the last.
+        // The knuckle's piece would include the webs; fingers bend 90° at the middle joint, 70° at
+        // the last.
         let degrees: f64 = match name.as_bytes()[name.len() - 1] {
             b'0' => continue,
             b'1' => 90.0,
@@ -398,7 +398,7 @@ fn a_raised_shoulder_keeps_its_volume() {
     let before = cut.place(&posed(body, &[]));
     let after = cut.place(&posed(body, &turns));
     let loss = 1.0 - cut.volume(&after) / cut.volume(&before);
-    // Above the joint the neck's slope meets the upper arm: that is the hollow of this bend.
+    // Above the joint, the neck's slope meets the upper arm: that is the hollow of this bend.
     let crossings = cut.crossings(&after, |p| p.y < shoulder.y);
     println!(
         "shoulder: loss {:.1} %, {crossings} crossings",
@@ -426,7 +426,7 @@ fn bent_and_twisted_wrists_keep_their_volume() {
         turns: vec![(Bone::LWrist, q)],
     };
     let y = |deg: f64| DQuat::from_rotation_y(deg.to_radians());
-    // Which way of turning about the thumb's side brings the palm in.
+    // The direction of rotation about the thumb's side that turns the palm inwards.
     let sign = if (y(70.0) * DVec3::X).z > 0.0 {
         1.0
     } else {

@@ -1,4 +1,4 @@
-//! Tests of whole figures, and the figures that other tests look at.
+//! Tests of whole figures, and the figures used by other tests.
 
 mod deform;
 pub(crate) mod soundness;

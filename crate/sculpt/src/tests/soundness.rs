@@ -1,5 +1,4 @@
-//! Tests of the skin of the figures as they are shipped: head, neck, mouth bag and both
-//! hands in the bind pose.
+//! Tests of the skin of the shipped figures: head, neck, mouth bag and both hands in the bind pose.
 
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
@@ -51,7 +50,7 @@ fn the_skin_of_no_figure_crosses_itself() {
 fn no_edge_of_the_skin_has_three_faces_and_none_is_degenerate() {
     for name in people_built() {
         let skin = Skin::from_figure(&shipped(name).1.figure);
-        // Each direction of an edge once: neighbours turn the same way.
+        // Each direction of an edge occurs once: adjacent faces have the same winding.
         let mut seen = BTreeSet::new();
         for t in &skin.triangles {
             for k in 0..3 {

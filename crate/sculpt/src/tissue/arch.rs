@@ -1,4 +1,4 @@
-//! The outer face of a row of teeth with its gums, as distances from an upright axis.
+//! Outer face of a row of teeth with its gums, as distances from an upright axis.
 
 use raconteur_base::DVec3;
 
@@ -31,7 +31,7 @@ pub(super) fn arch(rigid: &[&MeshPart], own: impl Fn(&PartVertex) -> bool) -> Ar
     let low = points.iter().map(|p| p.y).fold(f64::MAX, f64::min);
     let high = points.iter().map(|p| p.y).fold(f64::MIN, f64::max);
     let back = points.iter().map(|p| p.z).fold(f64::MAX, f64::min);
-    // The axis stands where the arch is widest.
+    // The axis is at the widest part of the arch.
     let origin = DVec3::new(0.0, low, back.max(front - 0.043));
     let rows = ((high - low) / STEP_M).ceil() as usize + 1;
     let mut radii = vec![0.0f32; rows * COLUMNS];

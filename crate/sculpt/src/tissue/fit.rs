@@ -1,4 +1,4 @@
-//! Fits muscles between skull and skin, and finds which skin hangs on them.
+//! Fitting of muscles between skull and skin, and selection of the skin bound to them.
 
 use raconteur_base::{DAffine3, DVec3, Side};
 
@@ -98,7 +98,7 @@ impl Skin {
     /// Places a point under the skin, at a share of the depth to the bone.
     fn sunk(&self, soft: &Soft, mut p: DVec3, share: f64) -> FibrePoint {
         let mut near = self.nearest(soft, p);
-        // Over a curved skin other nodes become the nearest on the way.
+        // Over curved skin, other nodes become the nearest along the path.
         for _ in 0..4 {
             p -= near.normal * (near.height + share * near.depth);
             near = self.nearest(soft, p);
@@ -265,7 +265,7 @@ fn attach(
         } else {
             1.0
         };
-        // The ear is stiff, and goes with the fibre's end as a whole.
+        // The ear is stiff, and follows the end of the fibre as a whole.
         let is_own = sheet.moves == Moves::Ear && p.x * side.sign() > 0.0;
         let rooted = if is_own { node.ear_root } else { 0.0 };
         let over = mobility * free * (1.0 - ramp(whole, none, distance));

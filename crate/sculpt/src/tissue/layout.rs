@@ -1,10 +1,10 @@
-//! Where the mimic muscles lie on the reference head: grids of a few points, carried over to
-//! each figure by its landmarks and fitted between skull and skin there (F&H section 3.1.2,
-//! "Building Muscles"). They stand in `fibres.tsv`, a fibre a row; both rings of the mouth alone
-//! follow from the lips' own nodes.
+//! Layout of the mimic muscles on the reference head: grids of a few points, transferred to each
+//! figure by its landmarks and fitted between skull and skin there (F&H section 3.1.2, "Building
+//! Muscles"). The grids are in `fibres.tsv`, one fibre per row; only both rings of the mouth follow
+//! from the lips' own nodes.
 //!
 //! Origins and insertions after Prometheus (Schünke, Schulte and Schumacher), as given in F&H
-//! section 3.1.1 and table 3.1, and those of ear and temple after Gray's Anatomy; places on the
+//! section 3.1.1 and table 3.1, and those of ear and temple after Gray's Anatomy; positions on the
 //! mean head (millimetres, left half; origin between the tragions, x left, y up, z front) are
 //! chosen by eye against its named points.
 

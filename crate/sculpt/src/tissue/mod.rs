@@ -1,5 +1,5 @@
-//! Makes the tissue of a face: nodes of its skin, muscles fitted between skull and skin, and
-//! what they may not pass through (F&H section 3.1.2).
+//! Generator of a face's tissue: nodes of its skin, muscles fitted between skull and skin, and
+//! their obstacles (F&H section 3.1.2).
 
 mod arch;
 mod fit;

@@ -1,4 +1,4 @@
-//! The ring of the mouth: its fibres, the lips that meet, and the teeth behind them.
+//! Ring of the mouth: its fibres, the meeting lips, and the teeth behind them.
 
 use std::collections::BTreeMap;
 
@@ -340,7 +340,7 @@ fn teeth_edge(rigid: &[&MeshPart]) -> impl Fn(f64) -> DVec3 {
             .filter(near)
             .map(|p| p.y)
             .fold(f64::MAX, f64::min);
-        // The foremost of what lies near the edge.
+        // The foremost point near the edge.
         let edge = upper.iter().filter(near).filter(|p| p.y < low + 0.0015);
         let z = edge.map(|p| p.z).fold(f64::MIN, f64::max);
         if low < f64::MAX {

@@ -1,4 +1,4 @@
-//! A muscle that there is not, from its rows to the skin.
+//! Additional test muscle, from its rows to the skin.
 
 use raconteur_base::{DAffine3, DVec3};
 
@@ -42,7 +42,7 @@ fn rows_are_all_that_a_muscle_needs() {
     let anatomy = Anatomy::read(&format!("{MUSCLES_TABLE}{ROW}")).expect("a table");
     let longer = tissue(&head, &format!("{}{FIBRE}", layout::FIBRES), &anatomy);
 
-    // It comes after all that there are, and changes nothing of them.
+    // It comes after all existing muscles and does not change them.
     let by_name = |name: &str| anatomy.by_name(name).expect(name);
     let [left, right] = ["wigglerleft", "WigglerRight"].map(by_name);
     assert_eq!((left.index(), right.index()), (MUSCLES, MUSCLES + 1));
@@ -60,7 +60,7 @@ fn rows_are_all_that_a_muscle_needs() {
     let own: Vec<Muscle> = longer.fibres[count..].iter().map(|f| f.muscle).collect();
     assert_eq!(own, [left, right]);
 
-    // When contracted, it moves and folds its own side; a program that does not know it leaves it be.
+    // When contracted, it moves and folds its own side; a program that does not know it ignores it.
     let rest = FaceControls::default();
     let mut more = vec![0.0; anatomy.count() - MUSCLES];
     more[left.index() - MUSCLES] = 1.0;

@@ -1,5 +1,5 @@
-//! Carries the layout on the reference head over to another: a radial basis warp
-//! through their landmarks (F&H section 3.1.2, "Creating New Animatable Head Models").
+//! Transfer of the layout from the reference head to another: a radial basis warp through their
+//! landmarks (F&H section 3.1.2, "Creating New Animatable Head Models").
 
 use faer::Mat;
 use faer::linalg::solvers::Solve as _;

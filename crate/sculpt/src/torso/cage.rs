@@ -1,8 +1,8 @@
-//! A fixed cage of quads, ring by ring, shrink-wrapped on the field.
+//! Fixed cage of quads, ring by ring, shrink-wrapped on the field.
 //!
-//! Trunk 25 rows × 24 columns; the armhole is a loop of 16 of its points and is the arm's
-//! first ring; the legs' first rings share three points of the crotch. Three rings lie
-//! close around elbow and knee.
+//! The trunk has 25 rows × 24 columns; the armhole is a loop of 16 of its points and is the arm's
+//! first ring; the legs' first rings share three points of the crotch. Three rings lie close around
+//! elbow and knee.
 
 mod labels;
 mod wrap;

@@ -1,7 +1,7 @@
-//! The body as an implicit surface: lofts and ellipsoids joined by a smooth minimum.
+//! Body as an implicit surface: lofts and ellipsoids joined by a smooth minimum.
 //!
-//! Values approximate signed distance in metres, negative inside. The field is symmetric
-//! and evaluated with |x|, so thighs never fuse. Smooth minimum: Quílez's polynomial form.
+//! Values approximate signed distance in metres, negative inside. The field is symmetric and
+//! evaluated with |x|, so thighs never fuse. Smooth minimum: Quílez's polynomial form.
 
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec2, DVec3, ops};
@@ -353,10 +353,10 @@ fn pads(p: &BodyParams, shoulder: DVec3, chest_front_cm: f64) -> Vec<Pad> {
     };
     let trunk = Regions::TRUNK;
     let height = |adult: f64, boy: f64| lerp(adult, boy, child) * s;
-    // Depths are given for an upright back.
+    // Depths refer to an upright back.
     let v = |x: f64, y: f64, z: f64| DVec3::new(x, y, z + p.stoop_m(y));
     let r = DVec3::new;
-    // Deltoid: long and flat, or the shoulder would look blown up.
+    // The deltoid is long and flat, because the shoulder would otherwise look inflated.
     let deltoid = r(4.1, 6.8, 5.2) * k * lerp(lerp(1.0, 0.78, f), 0.84, child);
     add(
         shoulder + r(lerp(0.5, 0.3, f), -2.2, 0.1) * k * CM,

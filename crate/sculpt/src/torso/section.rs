@@ -1,7 +1,7 @@
 //! Section tables of trunk, arm and leg and their smooth lookup.
 //!
-//! Breadths and depths: designed, from common anthropometric knowledge, and held within
-//! one standard deviation of surveyed girths by the tests of [`super`].
+//! Breadths and depths: designed, from common anthropometric knowledge, and kept within one
+//! standard deviation of surveyed girths by the tests of [`super`].
 
 use raconteur_base::curve::lerp;
 use raconteur_base::ops;
@@ -135,8 +135,8 @@ impl Sections {
             }
             let wide = 1.0 + 0.10 * p.build;
             let waist_at = lerp(0.60, 0.58, child);
-            // Weight gathers at the waist first; with age the belly comes before it and
-            // the muscles of chest and seat thin out.
+            // Weight collects at the waist first; with age, the belly protrudes and the muscles of
+            // chest and seat become thinner.
             let waist = bell(row[0], waist_at, 0.06);
             row[1] *= wide * (1.0 + 0.05 * p.build * waist) * (1.0 + 0.07 * old * waist);
             row[2] = row[2] * wide

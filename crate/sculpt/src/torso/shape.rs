@@ -1,8 +1,8 @@
-//! Who the body is of: measures, joints, rest pose.
+//! Body shape of a person: measures, joints, rest pose.
 //!
-//! Heights as shares of stature: designed from common anthropometric knowledge, held to
-//! the surveys that the tests of [`super`] cite. The thesis's own table has the hips at
-//! 0.577 of stature, anatomy at 0.52.
+//! Heights as shares of stature: designed from common anthropometric knowledge, checked against the
+//! surveys cited by the tests of [`super`]. The thesis's own table has the hips at 0.577 of
+//! stature, anatomy at 0.52.
 
 use raconteur_base::curve::{lerp, ramp, smooth};
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector, ops};

@@ -1,4 +1,4 @@
-//! A surface while it is being made: quads whose weights ride along with the vertices.
+//! Surface under construction: quads with vertex weights.
 
 use std::collections::BTreeMap;
 

@@ -1,8 +1,8 @@
-//! Proportions against surveys, and soundness of the cage.
+//! Proportions compared with surveys, and soundness of the cage.
 //!
-//! Adults: Heinz, Peterson, Johnson and Kerk 2003, doi:10.1080/10691898.2003.11910711,
-//! 247 men (177.7 cm) and 260 women (164.9 cm), young and active; means and standard
-//! deviations in centimetres. Sitting height as a share of stature: Fredriks et al. 2005,
+//! Adults: Heinz, Peterson, Johnson and Kerk 2003, doi:10.1080/10691898.2003.11910711, 247 men
+//! (177.7 cm) and 260 women (164.9 cm), young and active; means and standard deviations in
+//! centimetres. Sitting height as a share of stature: Fredriks et al. 2005,
 //! doi:10.1136/adc.2004.050799.
 
 use raconteur_base::DVec3;
@@ -57,7 +57,7 @@ fn girths(p: &BodyParams) -> [f64; 5] {
     let calf = (0..8)
         .map(|i| leg(1.2 + 0.04 * f64::from(i)))
         .fold(0.0, f64::max);
-    // The survey takes a woman's chest above the breasts.
+    // The survey measures a woman's chest above the breasts.
     let chest = if p.sex > 0.5 { 0.752 } else { 0.72 };
     [
         flat(chest, Regions::TRUNK_ONLY),
@@ -106,7 +106,7 @@ fn joints_lie_where_anatomy_has_them() {
             let (joints, _) = body(&p);
             let hip = joints.position_of(Bone::LHip).y / p.stature_m;
             assert!((0.50..0.53).contains(&hip), "hips at {hip}");
-            // The seat lies about 0.048 of stature below the hips.
+            // The seat is about 0.048 of stature below the hips.
             let sitting = 1.0 - (hip - 0.048);
             let (mean, sd) = if age < 12.0 {
                 (0.533, 0.013)

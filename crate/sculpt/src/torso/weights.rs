@@ -1,4 +1,4 @@
-//! Skinning weights while they are smoothed: sparse, over bones and helper joints.
+//! Skinning weights during smoothing: sparse, over bones and helper joints.
 
 use raconteur_base::Side;
 

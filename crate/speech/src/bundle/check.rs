@@ -1,4 +1,4 @@
-//! Checks of an utterance that was read.
+//! Checks of a read utterance.
 
 use super::Utterance;
 

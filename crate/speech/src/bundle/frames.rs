@@ -1,4 +1,4 @@
-//! Features of the sound every 10 ms, a byte each: fundamental frequency and intensity.
+//! Audio features every 10 ms, one byte each: fundamental frequency and intensity.
 
 use core::f64::consts::LN_2;
 

@@ -1,4 +1,4 @@
-//! Reads syllables, phrases, sentences, emotions, pitch and intensity of an utterance.
+//! Reader of syllables, phrases, sentences, emotions, pitch and intensity of an utterance.
 
 use super::frames::{from_base64, secs};
 use super::{Accent, Emotion, Phrase, Sentence, SentenceKind, Syllable, Utterance};

@@ -1,5 +1,5 @@
-//! The speech bundle, version 2: `voice/speech.json` beside its audio files. Its format is
-//! described in `docs/speech-bundle.md`.
+//! The speech bundle, version 2: `voice/speech.json` next to its audio files.
+//! `docs/speech-bundle.md` describes its format.
 
 mod check;
 mod frames;
@@ -113,7 +113,7 @@ pub struct AudioFile {
     /// MIME type with codecs.
     pub mime: String,
     /// Length and digest of the file, where the bundle has them.
-    pub holds: Option<FileDigest>,
+    pub digest: Option<FileDigest>,
 }
 
 /// Length and digest of a sound file, by which a baker recognises the sound of an utterance.

@@ -1,5 +1,5 @@
-//! Reads a bundle. Times are written as lengths of phones, and words as phones, so that they
-//! tile the utterance whatever a file says.
+//! Reader of a bundle. The file stores times as durations of phones, and words as ranges of phones,
+//! so that they tile the utterance for any file content.
 
 use std::sync::Arc;
 
@@ -179,7 +179,7 @@ impl Voice {
 impl AudioFile {
     fn from_row(row: AudioRow) -> Result<Self, String> {
         Ok(Self {
-            holds: super::FileDigest::from_parts(row.bytes, row.sha256)?,
+            digest: super::FileDigest::from_parts(row.bytes, row.sha256)?,
             file: row.file,
             mime: row.mime,
         })

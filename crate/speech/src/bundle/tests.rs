@@ -51,7 +51,7 @@ fn what_only_bakers_ask_for_is_read() {
     assert_eq!(u.content, 0x0123_4567_89ab_cdef);
     assert_eq!(bundle.voices[0].engine, "test 1");
     // Older bundles have neither.
-    assert_eq!((u.source, &u.audio[0].holds), (None, &None));
+    assert_eq!((u.source, &u.audio[0].digest), (None, &None));
 }
 
 #[test]
@@ -70,7 +70,7 @@ fn what_a_sound_holds_is_told_wholly_or_not_at_all() {
     let u = &read(&whole).unwrap().utterances[0];
     assert_eq!(u.source, Some(254));
     assert_eq!(
-        u.audio[0].holds,
+        u.audio[0].digest,
         Some(FileDigest {
             bytes: 7,
             sha256: sha256.clone()

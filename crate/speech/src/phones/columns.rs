@@ -1,5 +1,5 @@
-//! Symbols of the rows of the table in the phone sets of English. Only bakers need them: a
-//! bundle names the row of each symbol of its voice.
+//! Symbols of the table's rows in the phone sets of English. Only bakers need them: a bundle names
+//! the row of each symbol of its voice.
 
 use super::table::TABLE;
 

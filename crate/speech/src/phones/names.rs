@@ -1,14 +1,12 @@
-//! Symbols of phones of German and Portuguese, and the rows of the table that they move the
-//! lips by.
+//! Phone symbols of German and Portuguese, and the table rows of their lip shapes.
 //!
-//! One text a language, a triple a line: SAMPA symbol, espeak-ng's mnemonic (`-`: none), and the
-//! SAMPA symbol of the row; a text takes a quarter of the room that a table of strings
-//! does, and a page downloads it. A phone that English has under the same name is not
-//! repeated. Rows differ from their language's phone in what lips do not show: voice,
-//! nasality, length. Front rounded vowels have the lips of `u:` and `U` (F&H section 3.1.3
-//! has no tongue for them either), ç those of j, a uvular r those of a velar, ɐ those of ʌ.
-//! Sources: espeak-ng's `docs/languages`, MARY's German SAMPA, and the mnemonics that
-//! espeak-ng 1.51 was seen to write.
+//! One text per language, one triple per line: SAMPA symbol, espeak-ng's mnemonic (`-`: none), and
+//! the SAMPA symbol of the row. A text takes a quarter of the space of a table of strings, and a
+//! page downloads it. Phones with the same name in English are not repeated. Rows differ from their
+//! language's phone in properties that lips do not show: voice, nasality, length. Front rounded
+//! vowels have the lips of `u:` and `U` (F&H section 3.1.3 has no tongue for them either), ç those
+//! of j, a uvular r those of a velar, ɐ those of ʌ. Sources: espeak-ng's `docs/languages`, MARY's
+//! German SAMPA, and the observed mnemonics of espeak-ng 1.51.
 
 /// Variants that espeak-ng has of English phones, and marks that it has in every language:
 /// glottal onset (`_!`, `_|`), palatal off-glide (`;`).

@@ -1,6 +1,6 @@
-//! The phone sets of engines, and which row of the table each of their symbols is. Symbols:
-//! Festival's `radio_phones.scm` and `mrpa_phones.scm`, SAMPA, and espeak-ng's English;
-//! those of German and Portuguese are in `names.rs`.
+//! Phone sets of engines, with the table row of each symbol. Symbols: Festival's `radio_phones.scm`
+//! and `mrpa_phones.scm`, SAMPA, and espeak-ng's English; those of German and Portuguese are in
+//! `names.rs`.
 
 use super::columns::COLUMNS;
 use super::table::TABLE;

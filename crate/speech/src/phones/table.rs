@@ -1,4 +1,4 @@
-//! Targets, one row a phone: those of English, then five that other languages add.
+//! Targets, one row per phone: those of English, then five added by other languages.
 
 use super::{CHANNELS, Class, PhoneTargets};
 

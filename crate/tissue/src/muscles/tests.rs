@@ -1,4 +1,4 @@
-//! Properties of muscles at work, on mouths made by chance.
+//! Properties of contracting muscles, on randomly generated mouths.
 
 use raconteur_base::noise;
 
@@ -193,7 +193,7 @@ fn the_order_of_muscles_links_and_contractions_changes_nothing() {
         for i in 0..FACES {
             let [a, b] = [face(seed, 2 * i), face(seed, 2 * i + 1)];
             let both = a.lerp(&b, 0.5);
-            // By way of one face, and by way of the other.
+            // Through one face, and through the other.
             contract(&mut one, &tissue, &a);
             contract(&mut one, &tissue, &both);
             contract(&mut two, &tissue, &b);
@@ -299,7 +299,7 @@ fn the_stronger_has_more_of_its_way_and_the_weaker_gives() {
             first,
             count: 7,
         });
-        // Over half of the ring, as a cord gives nearly nothing at a single point.
+        // Over half of the ring, because a cord yields almost nothing at a single point.
         tissue
             .links
             .extend((RING / 4..=3 * RING / 4).map(|ring| Link {
@@ -324,7 +324,7 @@ fn the_stronger_has_more_of_its_way_and_the_weaker_gives() {
         assert!(now <= last && now > -ROUNDED_M, "{step}");
         last = now;
     }
-    // Who is pulled gets longer, and thinner in its middle; who pulls bulges.
+    // A stretched muscle gets longer, and thinner in its middle; a contracting one bulges.
     let moved = ask(0.8, 0.0);
     let (puller, pulled) = (usize::from(2 * RING) + 3, usize::from(2 * RING) + 10);
     assert!(

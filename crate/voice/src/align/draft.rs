@@ -1,4 +1,5 @@
-//! What a reader has found so far, and how it becomes an alignment that holds together.
+//! Draft of an alignment: the reader's results so far, and their conversion to a consistent
+//! alignment.
 
 use super::text::{LineCounter, TextError, clip};
 use super::{Accent, Alignment, Fault, Interval, MAX_INTERVALS, MAX_SECS};

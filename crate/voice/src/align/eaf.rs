@@ -1,7 +1,7 @@
-//! ELAN's annotation files (EAF): tiers whose annotations begin and end at slots of time.
+//! ELAN annotation files (EAF): tiers whose annotations begin and end at time slots.
 //!
-//! Slots without a time lie evenly between those that have one, as ELAN shows them. Tiers that
-//! have no times of their own, because they refer to annotations of others, are not read.
+//! Slots without a time are distributed evenly between those with one, as in ELAN's display. Tiers
+//! without own times, which refer to annotations of others, are not read.
 
 use std::collections::HashMap;
 

@@ -1,4 +1,4 @@
-//! Files of a label per line: ESPS xlabel, MARY's realised durations, and those of HTK.
+//! Files with one label per line: ESPS xlabel, MARY's realised durations, and those of HTK.
 
 use super::draft::{Draft, Kind, Point, is_silence};
 use super::text::{TextError, clip, fields, lines, number};
@@ -162,7 +162,7 @@ fn word_ends(words: &[(f64, String, usize)], draft: &mut Draft) -> Result<(), Te
             .iter()
             .enumerate()
             .take_while(|(k, s)| *k == 0 || s.start < next && !is_silence(&s.label));
-        // Sentence marks are said to be words of silence.
+        // Sentence marks appear as words of silence.
         let silent = segments.get(from).is_none_or(|s| is_silence(&s.label));
         if let Some((_, last)) = own.last().filter(|_| !silent) {
             draft.word(*start, last.end, word, *at)?;

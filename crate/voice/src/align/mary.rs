@@ -1,9 +1,9 @@
-//! MaryXML with phones: the namespaced dialect (ACOUSTPARAMS, REALISED_ACOUSTPARAMS) and
-//! that of 2005 (F&H table 4.3), which writes `sampa` at each token and has no times.
+//! MaryXML with phones: the namespaced dialect (ACOUSTPARAMS, REALISED_ACOUSTPARAMS) and that of
+//! 2005 (F&H table 4.3), which writes `sampa` at each token and has no times.
 //!
-//! A phone's `end` runs on without the pauses that boundaries make; in files where it does
-//! include them, the gap before the next phone shows it. Times that begin anew at 0, as some
-//! versions write for each sentence, go on from the sentence before.
+//! A phone's `end` excludes the pauses of boundaries; in files where it includes them, the gap
+//! before the next phone shows it. Times that restart at 0, as some versions write for each
+//! sentence, continue from the previous sentence.
 
 use super::draft::{Draft, Point};
 use super::sampa;

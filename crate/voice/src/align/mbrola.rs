@@ -1,5 +1,5 @@
-//! MBROLA's phonetic files: per line a phone, its milliseconds, and points of pitch as
-//! percent of the phone and hertz. `;` begins a comment.
+//! MBROLA's phonetic files: each line has a phone, its milliseconds, and pitch points as per cent
+//! of the phone and hertz. `;` begins a comment.
 
 use super::draft::Draft;
 use super::text::{TextError, fields, lines, number};
@@ -12,7 +12,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
         let Some((phone_at, phone)) = fields.next() else {
             continue;
         };
-        // `#` alone tells the synthesiser to say what it has.
+        // `#` alone makes the synthesiser speak its input so far.
         let Some((length_at, length)) = fields.next() else {
             if phone == "#" {
                 continue;

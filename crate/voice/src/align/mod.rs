@@ -1,15 +1,14 @@
-//! Times of words and phones that other programs wrote.
+//! Times of words and phones from other programs.
 //!
-//! Does: read alignments of a dozen formats from bytes, in any of four encodings, into one
-//! shape; repair what can be repaired and say so.
-//! Does not: read files, align by itself, or change the phone set.
+//! Scope: reading alignments of a dozen formats from bytes, in any of four encodings, into one
+//! structure; correcting and reporting faults.
+//! Out of scope: file access, alignment itself, and conversion of the phone set.
 //!
-//! What is repaired, with a warning: intervals out of order are sorted; an interval that
-//! runs into the next ends where that begins; parts before 0 are cut off; empty intervals
-//! are dropped; silence fills gaps (those up to 1.5 ms, the rounding of times in whole
-//! milliseconds, are closed in silence). What is refused: times that are not finite or
-//! beyond 24 hours, files whose every time is negative, more than 64 MiB or a million
-//! intervals, and whatever a format does not allow.
+//! Corrections, with a warning: intervals out of order are sorted; an interval that overlaps the
+//! next ends at its start; parts before 0 are cut off; empty intervals are removed; silence fills
+//! gaps (those up to 1.5 ms, the rounding of times in whole milliseconds, are closed without a
+//! warning). Rejected: times that are not finite or beyond 24 hours, files with only negative
+//! times, more than 64 MiB or a million intervals, and violations of a format.
 
 mod draft;
 mod eaf;

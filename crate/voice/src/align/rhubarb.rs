@@ -1,4 +1,4 @@
-//! Rhubarb Lip Sync's three ways to write when the mouth takes which shape.
+//! Rhubarb Lip Sync's three formats of mouth shapes with times.
 
 use serde::Deserialize;
 use serde_json::value::RawValue;

@@ -1,4 +1,4 @@
-//! A run of SAMPA as phones: `'gI-N@n` is two syllables of g I and N @ n.
+//! SAMPA sequence as phones: `'gI-N@n` is two syllables of g I and N @ n.
 
 use raconteur_speech::phones;
 

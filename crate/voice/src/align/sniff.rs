@@ -1,4 +1,4 @@
-//! Which format bytes are in, by what they say and only then by their name.
+//! Detection of the format of bytes by their content, and otherwise by their name.
 
 use super::Format;
 use super::text::{decode, fields, lines};
@@ -14,7 +14,7 @@ const MAX_LINES: usize = 50;
 /// only the extension matters). Returns `None` if it is not a format that [`super::read`] supports.
 #[must_use]
 pub fn detect(name: &str, bytes: &[u8]) -> Option<Format> {
-    // An even number of bytes keeps UTF-16 whole but for a pair at the end.
+    // An even number of bytes keeps UTF-16 intact except for a pair at the end.
     let mut head = &bytes[..bytes.len().min(LOOK)];
     let text = loop {
         match decode(head) {

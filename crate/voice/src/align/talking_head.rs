@@ -1,5 +1,5 @@
-//! The arrays that talking heads in browsers take: words, their times and durations, and the
-//! same of visemes, in milliseconds.
+//! Arrays for talking heads in browsers: words, their times and durations, and the same for
+//! visemes, in milliseconds.
 
 use serde::Deserialize;
 use serde_json::value::RawValue;

@@ -1,4 +1,4 @@
-//! Bytes as text in whichever encoding they are, lines and fields that know their place.
+//! Text in any encoding, with lines and fields that know their position.
 
 use super::Fault;
 

@@ -1,8 +1,8 @@
 //! Praat's TextGrid as text, long or short.
 //!
-//! Both are one language (Praat manual, "TextGrid file formats"): only numbers, quoted texts
-//! and flags in angle brackets that stand free between white space count, and `!` begins a
-//! comment. What the long form adds (`xmin =`, `intervals [1]:`) is not free-standing.
+//! Both are one language (Praat manual, "TextGrid file formats"): only numbers, quoted texts and
+//! flags in angle brackets that are free-standing between white space count, and `!` begins a
+//! comment. The additions of the long form (`xmin =`, `intervals [1]:`) are not free-standing.
 
 use super::draft::{Draft, Point, Raw};
 use super::text::{TextError, clip};

@@ -1,5 +1,5 @@
-//! Tiers of annotations, as Praat and ELAN have them: which of them tell phones, words,
-//! syllables and melody.
+//! Annotation tiers, as in Praat and ELAN: selection of those with phones, words, syllables and
+//! pitch contour.
 
 use super::draft::{Draft, Kind, Point, Raw, is_silence};
 use super::text::{TextError, clip};
@@ -95,7 +95,7 @@ pub(super) fn choose(mut tiers: Vec<Tier>, draft: &mut Draft, at: usize) -> Resu
     if found[0] || found[1] {
         return Ok(());
     }
-    // A grid of a single tier needs no name: its labels tell.
+    // A grid of a single tier needs no name: its labels identify it.
     let mut whole = tiers.iter_mut().filter(|t| !t.is_points);
     match (whole.next(), whole.next()) {
         (Some(only), None) => {

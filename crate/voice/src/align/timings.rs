@@ -1,11 +1,11 @@
-//! JSON in which programs that recognise speech tell when each word was said.
+//! JSON with word times from speech recognition programs.
 //!
-//! They differ in names and in what stands around, not in kind: Whisper (also WhisperX,
+//! The programs differ in names and structure, not in content: Whisper (also WhisperX,
 //! faster-whisper, OpenAI's and whisper.cpp's) `segments[].words[]` of `word`, `start`, `end`;
 //! Google `words[]` of `word`, `startTime`, `endTime` ("0.100s") or `startOffset`; Vosk, Gentle,
-//! Deepgram and Amazon likewise. So whatever object has a word and its times is a word, wherever
-//! it stands. Of alternatives the first is read, and of lists that tell the same the longest.
-//! Where there are phrases with times alone, their words share them by letters.
+//! Deepgram and Amazon likewise. Any object with a word and its times is therefore a word, at any
+//! position. Of alternatives, the first is read, and of equivalent lists the longest. If only
+//! phrases have times, their words share them by letters.
 
 use serde_json::{Map, Value};
 
@@ -55,7 +55,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
         let begin = own.iter().find_map(|f| f.span).map(|s| s.0);
         let end = own.iter().rev().find_map(|f| f.span).map(|s| s.1);
         let (begin, end) = begin.zip(end).unwrap_or_default();
-        // What has no time goes on to where the next begins.
+        // A word without a time extends to the start of the next.
         let after = found.get(last + 1).and_then(|f| f.span).map(|s| s.0);
         let open = own.last().is_some_and(|f| f.span.is_none());
         let end = after.filter(|a| open && *a > end).unwrap_or(end);

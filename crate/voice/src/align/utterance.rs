@@ -1,5 +1,5 @@
-//! Festival's utterances as `utt.save` writes them: items with features, and relations that
-//! are trees over items (Edinburgh Speech Tools, `EST_UtteranceFile`, ASCII version 2).
+//! Festival's utterances as written by `utt.save`: items with features, and relations that are
+//! trees over items (Edinburgh Speech Tools, `EST_UtteranceFile`, ASCII version 2).
 
 use std::cell::Cell;
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! Mouth shapes of other programs, and phones that make them.
+//! Mouth shapes of other programs, and their phones.
 
 /// A set of mouth shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

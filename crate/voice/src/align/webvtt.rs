@@ -1,10 +1,10 @@
-//! WebVTT (W3C, "WebVTT: The Web Video Text Tracks Format") whose cues are single words, or
-//! have times within, as karaoke and automatic captions do; and SubRip (SRT), which is the same
-//! without a signature and with a comma before the milliseconds.
+//! WebVTT (W3C, "WebVTT: The Web Video Text Tracks Format") whose cues are single words, or contain
+//! times, as in karaoke and automatic captions; and SubRip (SRT), which is the same without a
+//! signature and with a comma before the milliseconds.
 //!
-//! Words between two times share the span by their number of letters; so do words of a cue
-//! without times, with a warning. Automatic captions that roll repeat the line before: in a
-//! file with inner times, a line that has none and repeats the last is left out.
+//! Words between two times share the span by their number of letters; so do words of a cue without
+//! times, with a warning. Automatic rolling captions repeat the previous line: in a file with inner
+//! times, a line without times that repeats the last is omitted.
 
 use super::Units;
 use super::draft::{Draft, Kind};

@@ -1,5 +1,5 @@
-//! XML as a stream of pieces that know their place. Namespaces are not looked at: files of
-//! one dialect come with and without them.
+//! XML as a stream of pieces that know their position. Namespaces are ignored, because files of one
+//! dialect exist with and without them.
 
 use std::borrow::Cow;
 
@@ -27,7 +27,7 @@ impl Element<'_> {
 
     /// Value of an attribute, by its name without prefix.
     pub(super) fn attribute(&self, name: &str) -> Result<Option<String>, TextError> {
-        // The check for doubles takes the square of their number.
+        // The check for duplicates is quadratic in their number.
         for attribute in self.tag.attributes().with_checks(false) {
             let attribute = attribute.map_err(|e| TextError::new(self.at, e.to_string()))?;
             if attribute.key.local_name().into_inner() == name {

@@ -1,5 +1,5 @@
-//! Sounds of bundles that do not tell what their files hold, as earlier bakes wrote them: whether
-//! they match the levels that their utterance states.
+//! Adoption of audio from bundles without file digests, as written by earlier bakes: the files must
+//! match the levels of their utterance.
 
 use std::path::Path;
 

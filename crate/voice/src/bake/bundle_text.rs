@@ -1,5 +1,5 @@
-//! The text of a bundle: JSON that a person can read and a version control system can
-//! compare, one utterance to a block, one list to a line.
+//! Bundle text: JSON that a person can read and a version control system can compare, one block per
+//! utterance, one line per list.
 
 use core::fmt::Write as _;
 
@@ -90,7 +90,7 @@ fn utterance(u: &Utterance) -> String {
 
 fn audio(u: &Utterance) -> String {
     list(u.audio.iter().map(|a| {
-        let holds = a.holds.as_ref().map_or(String::new(), |h| {
+        let holds = a.digest.as_ref().map_or(String::new(), |h| {
             format!(", \"bytes\": {}, \"sha256\": {}", h.bytes, text(&h.sha256))
         });
         format!(
@@ -180,7 +180,7 @@ mod tests {
             audio: vec![AudioFile {
                 file: "a.opus".to_owned(),
                 mime: "audio/ogg; codecs=opus".to_owned(),
-                holds: Some(FileDigest {
+                digest: Some(FileDigest {
                     bytes: 1 << 40,
                     sha256: "0a".repeat(32),
                 }),
@@ -249,7 +249,7 @@ mod tests {
         };
         let mut untold = utterance.clone();
         untold.source = None;
-        untold.audio[0].holds = None;
+        untold.audio[0].digest = None;
         for utterances in [vec![], vec![utterance.clone()], vec![utterance, untold]] {
             let utterances = utterances.into_iter().map(Arc::new).collect();
             let bundle = Bundle {

@@ -1,5 +1,4 @@
-//! Who speaks: the engines that are needed, the voices that they have, and which of them a
-//! sentence is for.
+//! Cast of a script: the required engines, their voices, and the voice of each sentence.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -27,7 +26,7 @@ pub struct Cast {
     known: Mutex<Engines>,
     missing: Mutex<MissingPrograms>,
     /// The story's own voice.
-    pub lead: Role,
+    pub primary: Role,
     /// Explicitly chosen engine, and voice if one was chosen.
     pub chosen: Option<Role>,
     /// Missing programs of the default engine, if another one leads because none was chosen.
@@ -139,7 +138,7 @@ impl Cast {
             options,
             known: Mutex::new(BTreeMap::new()),
             missing: Mutex::default(),
-            lead: Role {
+            primary: Role {
                 engine: name.clone(),
                 voice: VoiceInfo::default(),
             },
@@ -156,15 +155,15 @@ impl Cast {
         };
         // An engine that lacks an option is an error, one that is not installed is not.
         engine::by_name(&name, &cast.options)?;
-        cast.lead.voice = match voice.map(str::to_owned).or(usual) {
+        cast.primary.voice = match voice.map(str::to_owned).or(usual) {
             Some(voice) => cast.voice(&name, &voice)?,
             None => {
                 let known = cast.known(&name)?;
                 if known.version.is_empty() {
-                    cast.lead.voice = known.engine.voice("")?.unwrap_or_default();
+                    cast.primary.voice = known.engine.voice("")?.unwrap_or_default();
                     return Ok(cast);
                 }
-                // Recordings have no voices, and one that stands for all of them.
+                // Recordings have no voices; one placeholder represents all of them.
                 let first = usual_of(&known.voices).cloned();
                 let any = || known.engine.voice("recorded").ok().flatten();
                 first
@@ -184,7 +183,7 @@ impl Cast {
             options: EngineOptions::default(),
             known: Mutex::new(BTreeMap::new()),
             missing: Mutex::default(),
-            lead: Role::default(),
+            primary: Role::default(),
             chosen: None,
             instead_of: None,
             language: None,
@@ -197,7 +196,7 @@ impl Cast {
         };
         cache(&mut *cast.engines()?, name, known);
         Ok(Self {
-            lead: Role {
+            primary: Role {
                 voice: cast.voice(name, voice)?,
                 engine: name.to_owned(),
             },
@@ -218,15 +217,15 @@ impl Cast {
     pub fn speak_in(&mut self, tag: String) -> Result<()> {
         let chosen = self.chosen.as_ref();
         let is_free = chosen.is_none_or(|role| role.voice.name.is_empty());
-        let other = language::primary(&self.lead.voice.language) != language::primary(&tag);
+        let other = language::primary(&self.primary.voice.language) != language::primary(&tag);
         if is_free
             && other
-            && let Some(own) = speaking(&self.known(&self.lead.engine)?.voices, &tag)
+            && let Some(own) = speaking(&self.known(&self.primary.engine)?.voices, &tag)
         {
-            self.lead.voice = own.clone();
+            self.primary.voice = own.clone();
         }
-        self.lead = self
-            .role(&self.lead, &Speaker::default(), &tag)
+        self.primary = self
+            .role(&self.primary, &Speaker::default(), &tag)
             .with_context(|| format!("no voice here speaks the story's language, {tag}"))?;
         self.language = Some(tag);
         Ok(())
@@ -244,7 +243,7 @@ impl Cast {
     }
 
     fn known(&self, name: &str) -> Result<&'static KnownVoice> {
-        // Held until it has answered, so that no engine is started twice.
+        // The lock is held until the engine has answered, so that no engine is started twice.
         let mut known = self.engines()?;
         if let Some(one) = known.get(name) {
             return Ok(one);
@@ -302,10 +301,10 @@ impl Cast {
     /// When there is none of that name; the message says what to do.
     pub fn named(&self, name: &str) -> Result<Role> {
         // The story's own engine first; in a page there is no other.
-        let own = self.known(&self.lead.engine)?;
+        let own = self.known(&self.primary.engine)?;
         if let Some(voice) = own.voices.iter().find(|v| v.name == name) {
             return Ok(Role {
-                engine: self.lead.engine.clone(),
+                engine: self.primary.engine.clone(),
                 voice: voice.clone(),
             });
         }
@@ -325,10 +324,10 @@ impl Cast {
             )));
             self.note(&missing);
             return Ok(Role {
-                engine: self.lead.engine.clone(),
+                engine: self.primary.engine.clone(),
                 voice: VoiceInfo {
                     name: name.to_owned(),
-                    ..self.lead.voice.clone()
+                    ..self.primary.voice.clone()
                 },
             });
         };
@@ -361,7 +360,7 @@ impl Cast {
             }
         }
         if !speaks(&role.voice) {
-            // espeak-ng speaks nearly everything.
+            // espeak-ng speaks nearly every language.
             let gender = speaker.gender.or(role.voice.gender);
             let variant = match gender {
                 Some(Gender::Female) => "+f2",
@@ -452,9 +451,9 @@ mod tests {
         let own = Voices(&["en-US", "de", "pt-PT", "pt-BR"]);
         let mut cast = Cast::with_engine("own", Box::new(own), "en-us").unwrap();
         for (tag, expected) in [("de-AT", "de"), ("pt-BR", "pt-br"), ("en", "en-us")] {
-            cast.lead.voice = voices(&["en-US"]).remove(0);
+            cast.primary.voice = voices(&["en-US"]).remove(0);
             cast.speak_in(tag.to_owned()).unwrap();
-            assert_eq!(cast.lead.voice.name, expected, "{tag}");
+            assert_eq!(cast.primary.voice.name, expected, "{tag}");
         }
     }
 }

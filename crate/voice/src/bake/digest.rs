@@ -1,4 +1,4 @@
-//! By what a bake knows whether something has changed.
+//! Digests by which a bake detects changes.
 
 /// FNV-1a, 64 bits.
 #[derive(Clone)]

@@ -1,4 +1,4 @@
-//! Encodes an utterance: Ogg Opus for the browsers that take it, MP3 for the others.
+//! Encodes an utterance: Ogg Opus for the browsers that support it, MP3 for the others.
 
 use std::fs;
 use std::io::Cursor;
@@ -21,7 +21,7 @@ pub(super) fn encode(samples: &[f64], rate_hz: u32) -> Result<[Vec<u8>; 2]> {
     let wave = scratch.path().join("sound.wav");
     fs::write(&wave, wave_of(samples, rate_hz)?).context("writing the sound")?;
 
-    // A fixed serial number and no picture or comment: the same sound gives the same file.
+    // A fixed serial number without images and comments makes the file reproducible.
     let made = scratch.path().join("sound.opus");
     let mut command = OPUSENC.command();
     command
@@ -40,7 +40,7 @@ pub(super) fn encode(samples: &[f64], rate_hz: u32) -> Result<[Vec<u8>; 2]> {
     OPUSENC.run(command)?;
     let opus = made_by(&OPUSENC, &made)?;
 
-    // The header that libmp3lame writes tells players how much silence it added.
+    // The header written by libmp3lame specifies the amount of added silence.
     let made = scratch.path().join("sound.mp3");
     let mut command = FFMPEG.command();
     command

@@ -1,8 +1,8 @@
-//! One bake of a story at a time.
+//! Exclusive lock of a story's bake.
 //!
-//! The lock is the system's lock on a file in the folder (`flock` on Unix). The system takes it
-//! back when the program ends, however that ends, so a file that a dead program left behind
-//! locks nothing and is simply taken over.
+//! The lock is the system's lock on a file in the folder (`flock` on Unix). The system releases it
+//! when the program ends, however that ends, so a leftover file of a terminated program locks
+//! nothing and is reused.
 
 use std::fs::{self, File, TryLockError};
 use std::io::{Read as _, Seek as _, Write as _};
@@ -60,7 +60,7 @@ impl Lock {
                 Err(TryLockError::Error(error)) => return Err(error).with_context(told),
             }
             if !is_at(&file, &path) {
-                // It was removed by its last owner after it was opened here; others lock a new one.
+                // Its last owner removed the file after it was opened here; others lock a new one.
                 continue;
             }
             let number = std::process::id().to_string();
@@ -90,11 +90,12 @@ fn is_at(_file: &File, _path: &Path) -> bool {
 
 impl Drop for Lock {
     fn drop(&mut self) {
-        // Removed while it is locked: who opened it meanwhile sees that it is gone.
+        // The file is removed while locked: a program that opened it in the meantime detects the
+        // removal.
         let _ = fs::remove_file(&self.path);
         let _ = self.file.unlock();
         if let Some(folder) = self.path.parent() {
-            // Only an empty folder goes.
+            // Only an empty folder is removed.
             let _ = fs::remove_dir(folder);
         }
     }

@@ -1,4 +1,4 @@
-//! What SABLE's markup and emotions do to a voice, measured in its final sound: one line for
+//! Effects of SABLE's markup and emotions on a voice, measured in its final audio: one line for
 //! each setting, with the requested and the measured value.
 
 mod row;
@@ -80,7 +80,7 @@ struct MeasurementSetup<'a> {
 /// # Errors
 /// When the engine fails, or speaks other words under another setting.
 pub fn measure(cast: &Cast, settings: Settings) -> Result<Vec<Row>> {
-    let role = &cast.lead;
+    let role = &cast.primary;
     let primary = language::primary(&role.voice.language);
     let (_, texts) = TEXTS
         .iter()

@@ -1,10 +1,10 @@
-//! Bakes speech: turns what a story says into a bundle of sound, words, phones and melody,
-//! with speech engines, ahead of any performance.
+//! Speech baking: converts the speech of a story to a bundle of audio, words, phones and pitch
+//! contour, with speech engines, before any performance.
 //!
-//! `content → plan (sentences and pauses) → engine → styles and emotions → one sound with
-//! times → Ogg Opus and MP3 → speech.json`. Every step but the engines and the two encoders
-//! is a function over plain data. The same story gives the same bundle, byte for byte, with
-//! the same programs installed.
+//! `content → plan (sentences and pauses) → engine → styles and emotions → one sound with times →
+//! Ogg Opus and MP3 → speech.json`. Every step except the engines and the two encoders is a
+//! function over plain data. The same story gives the same bundle, byte for byte, with the same
+//! programs installed.
 
 mod adopt;
 mod bundle_text;
@@ -106,7 +106,7 @@ impl BakeReport {
         for utterance in &bundle.utterances {
             self.duration_secs += utterance.duration_secs;
             for audio in &utterance.audio {
-                let bytes = audio.holds.as_ref().map_or(0, |h| h.bytes);
+                let bytes = audio.digest.as_ref().map_or(0, |h| h.bytes);
                 match audio.mime.as_str() {
                     "audio/mpeg" => self.mp3_bytes += bytes,
                     _ => self.opus_bytes += bytes,
@@ -236,7 +236,7 @@ fn is_of_this_story(store: &Store<'_>, wanted: &PlannedUtterance<'_>, cast: &Cas
         })
     };
     store.has_source(wanted.key, wanted.source)
-        && (wanted.said.voice.is_some() || cast.chosen.as_ref().is_none_or(spoken))
+        && (wanted.request.voice.is_some() || cast.chosen.as_ref().is_none_or(spoken))
 }
 
 /// Rebuilds the bundle in a locked folder.
@@ -364,7 +364,7 @@ fn make(
                     let failed = result.is_err();
                     lock().push((i, result));
                     if failed {
-                        // The others stop as soon as they have done what they are at.
+                        // The other threads stop after their current item.
                         next.store(todo.len(), Ordering::Relaxed);
                     }
                     let done = done.fetch_add(1, Ordering::Relaxed) + 1;
@@ -394,8 +394,8 @@ fn utterance(
     let work = RenderInput {
         content: &wanted.content,
         role: &wanted.role,
-        emotion: wanted.said.emotion.as_ref(),
-        tension: wanted.said.tension,
+        emotion: wanted.request.emotion.as_ref(),
+        tension: wanted.request.tension,
         pace: options.pace,
     };
     let engine = options.cast.engine(&wanted.role)?;
@@ -406,7 +406,7 @@ fn utterance(
     let plan = &wanted.casting.plan;
     let (track, remarks) = match engine.recorded(wanted.key, wanted.place, plan)? {
         Some(Recorded { spoken, remarks }) => {
-            let track = speak::recorded(plan, spoken, wanted.said.emotion.as_ref());
+            let track = speak::recorded(plan, spoken, wanted.request.emotion.as_ref());
             (track, remarks)
         }
         None => {

@@ -1,5 +1,5 @@
-//! Speech for a page, while somebody waits: what a story says in its own text, without files,
-//! programs and encoders. The sound is the baker's, as WAV.
+//! Speech for a page, on demand: the text of a story, without files, programs and encoders. The
+//! audio is the baker's, as WAV.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -154,7 +154,7 @@ fn speak_one(
     utterance.audio = vec![AudioFile {
         file: file.clone(),
         mime: "audio/wav".to_owned(),
-        holds: None,
+        digest: None,
     }];
     let wave = wave_of(&track.samples, track.rate_hz.round() as u32)?;
     let bundle = bundled(std::iter::once(Ok((&wanted, utterance))), &options.cast)?;
@@ -286,7 +286,7 @@ mod tests {
         let (_, sounds, problems) = say(&two, None);
         assert!(problems.is_empty(), "{problems:?}");
         assert_eq!(sounds.len(), 2);
-        // One that is not there is told, and another speaks.
+        // A missing voice is reported, and another speaks.
         let (_, sounds, problems) = say(&two.replace("'rms'", "'nobody'"), None);
         assert_eq!((sounds.len(), problems.len()), (2, 1));
         assert!(problems[0].contains("speaks instead"), "{problems:?}");

@@ -1,5 +1,5 @@
-//! A sentence as a picture: the spectrum of its final sound, with the bounds of words and
-//! phones and the pitch drawn over it, as SVG.
+//! Image of a sentence: the spectrum of its final audio, with the bounds of words and phones and
+//! the pitch drawn over it, as SVG.
 
 use core::fmt::Write as _;
 use std::path::Path;
@@ -42,14 +42,14 @@ pub fn draw(cast: &Cast, text: &str, out: &Path) -> Result<()> {
     let (content, _) = sable::read(&document).map_err(|p| anyhow!("{p}"))?;
     let work = RenderInput {
         content: &content,
-        role: &cast.lead,
+        role: &cast.primary,
         emotion: None,
         tension: None,
         pace: 1.0,
     };
     let casting = speak::cast(&work, cast, &Lexicon::default())?;
     let track = speak::speak(&work, &casting, cast, &|_| Ok(Vec::new()))?;
-    let title = format!("{}: {}", cast.lead.engine, cast.lead.voice.name);
+    let title = format!("{}: {}", cast.primary.engine, cast.primary.voice.name);
     disk::replace(out, svg(&track, &title)?.as_bytes())
 }
 

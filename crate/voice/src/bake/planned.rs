@@ -1,4 +1,4 @@
-//! What a story wants said: its texts and files, planned and cast.
+//! Planned speech of a story: its texts and files, planned and cast.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -26,7 +26,7 @@ pub(super) struct PlannedUtterance<'a> {
     /// Index among the spoken utterances of the story, from 0.
     pub(super) place: usize,
     pub(super) content: Content,
-    pub(super) said: &'a SpeechRequest,
+    pub(super) request: &'a SpeechRequest,
     pub(super) role: Role,
     pub(super) casting: Casting,
     pub(super) sounds: Vec<PathBuf>,
@@ -46,7 +46,7 @@ pub(super) fn all<'a>(
     let mut wanted = Vec::new();
     let mut absent = Vec::new();
     for (place, said) in said.iter().enumerate() {
-        // Two clauses that say the same share an utterance; the first keeps its place.
+        // Two clauses with the same speech share an utterance; the first determines its position.
         if seen.insert(said.key) {
             match content(said, folder, library)? {
                 Ok(content) => {
@@ -82,7 +82,7 @@ fn content(
             library: from_library,
         } => {
             let told = || format!("cannot read the spoken text {path}");
-            // The library, and for files beside the story that folder as well.
+            // The library, and for files next to the story also that folder.
             let file = match inside::find(folder, path).with_context(told)? {
                 Some(file) => file,
                 None if *from_library => library(path)?,
@@ -111,7 +111,7 @@ pub(super) fn plan_utterance<'a>(
 ) -> Result<PlannedUtterance<'a>> {
     let role = match &said.voice {
         Some(name) => options.cast.named(name)?,
-        None => options.cast.lead.clone(),
+        None => options.cast.primary.clone(),
     };
     let work = RenderInput {
         content: &content,
@@ -151,7 +151,7 @@ pub(super) fn plan_utterance<'a>(
         source: source.value(),
         place,
         content,
-        said,
+        request: said,
         role,
         casting,
         sounds,

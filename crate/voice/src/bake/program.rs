@@ -1,4 +1,4 @@
-//! Runs the programs that baking and composing need.
+//! Runner of the programs that baking and composing need.
 
 use core::fmt;
 use std::collections::BTreeSet;
@@ -153,12 +153,12 @@ impl Program {
             ErrorKind::NotFound => MissingPrograms::one(self.name, self.package).into(),
             _ => anyhow!(error).context(format!("starting {}", self.name)),
         })?;
-        // Both pipes are drained at once: a full one would stop the program.
+        // Both pipes are drained simultaneously, because a full one would stop the program.
         let drain = |pipe: Option<Box<dyn std::io::Read + Send>>| {
             thread::spawn(move || {
                 let mut bytes = Vec::new();
                 if let Some(mut pipe) = pipe {
-                    // What was read before an error still helps to explain a failure.
+                    // Output read before an error still helps to explain a failure.
                     let _ = pipe.read_to_end(&mut bytes);
                 }
                 String::from_utf8_lossy(&bytes).into_owned()

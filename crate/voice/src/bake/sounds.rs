@@ -1,4 +1,4 @@
-//! Recordings that a text asks for.
+//! Recordings requested by a text.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! One utterance from its content to its sound.
+//! One utterance from its content to its audio.
 
 use crate::assemble::{Recording, Speech, SpokenSentence, assemble};
 use crate::content::{Age, Content, Gender, Setting, Speaker};
@@ -65,8 +65,11 @@ pub(super) struct Casting {
 /// # Errors
 /// When it cannot be planned, or an engine is missing.
 pub(super) fn cast(work: &RenderInput<'_>, cast: &Cast, lexicon: &Lexicon) -> Result<Casting> {
-    // A voice that a clause names speaks its own language.
-    let own = cast.language.as_ref().filter(|_| *work.role == cast.lead);
+    // A voice named by a clause speaks its own language.
+    let own = cast
+        .language
+        .as_ref()
+        .filter(|_| *work.role == cast.primary);
     let language = own.unwrap_or(&work.role.voice.language);
     let mut plan = plan(work.content, language, &work.role.engine, lexicon)?;
     deliver(&mut plan, work.tension);
@@ -140,7 +143,7 @@ pub(super) fn speak(
         }
     }
     level(&mut spoken, roles);
-    // A mouth of another size comes before everything else.
+    // The speaker's size is applied before everything else.
     let ages: Vec<SpeakerVoice> = plan
         .sentences
         .iter()
@@ -163,12 +166,12 @@ pub(super) fn speak(
     let moved = moved_pauses(&plan.sentences, &spoken, &place);
     let mut parts = Vec::with_capacity(spoken.len());
     for (i, (planned, moved_pauses)) in plan.sentences.iter().zip(moved).enumerate() {
-        // Absolute values are against what this voice does in this utterance.
+        // Absolute values are relative to this voice in this utterance.
         let same = (0..spoken.len()).filter(|k| roles[*k] == roles[i] && ages[*k] == ages[i]);
         let own = VoiceBaseline::measure(same.map(|k| (&spoken[k], &tracks[k])));
         let engine = cast.engine(&roles[i])?;
         let feeling = engine.feeling();
-        // What the engine has already done is not done again.
+        // The engine's own changes are not repeated.
         let pace = match engine.keeps_pace() {
             true => 1.0,
             false => work.pace * planned.sentence.pace,
@@ -188,7 +191,7 @@ pub(super) fn speak(
         guest(&mut spoken, &work.role.voice.phone_set);
         parts.push(SpokenSentence {
             spoken,
-            // The lengths of pauses are those of a storyteller, whatever the engine does.
+            // The lengths of pauses are a storyteller's, for any engine.
             pauses: pauses(&styled, &own) * pace * STORY_PACE / work.pace,
             moved_pauses,
         });
@@ -383,8 +386,8 @@ impl SpeakerVoice {
     fn applied(&self, style: &Style, pace: f64) -> Style {
         let mut style = style.clone();
         let pitch = Setting::Factor(self.pitch / self.resonance);
-        // Requested values are of the voice that is heard, not of the one that is changed. A base
-        // line alone takes everything with it and is to stay alone.
+        // Requested values refer to the voice as heard, not to the modified one. A base line alone
+        // moves everything with it and stays alone.
         let lines = match (
             style.pitch_base.is_default(),
             style.pitch_middle.is_default(),

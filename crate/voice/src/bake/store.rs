@@ -1,4 +1,4 @@
-//! The folder of a bundle: what an earlier bake left there, and what this one puts there.
+//! Folder of a bundle: the files of earlier bakes and of this one.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -88,7 +88,7 @@ impl<'f> Sounds<'f> {
     /// Returns the state of the file at the path of a sound.
     fn inspect(&mut self, audio: &AudioFile) -> Sound {
         let found = inside::find(self.folder, &audio.file).ok().flatten();
-        match (found, &audio.holds) {
+        match (found, &audio.digest) {
             (None, _) => Sound::Wrong,
             (Some(_), None) => Sound::Untold,
             (Some(path), Some(told)) => match self.digest_of(path, told.bytes) {
@@ -234,7 +234,7 @@ impl<'d> Store<'d> {
         let audio = AudioFile {
             file: format!("{}.{ending}", &holds.sha256[..NAME_DIGITS]),
             mime: mime.to_owned(),
-            holds: Some(holds),
+            digest: Some(holds),
         };
         // The file may be truncated: a disk that lost its power keeps names without content.
         if Sounds::from_folder(&self.folder).inspect(&audio) != Sound::Whole {

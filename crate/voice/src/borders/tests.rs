@@ -1,4 +1,4 @@
-//! Borders on sounds whose truth is known.
+//! Boundaries in audio with known phones.
 
 use super::*;
 use crate::signal::testing::{self, Segment as Sound};

@@ -101,7 +101,7 @@ fn paragraphs_turns_and_authors_pauses() {
         "the draw is the same: {drawn} {sentence}"
     );
     assert_eq!(plan.sentences[1].pause_secs, 0.05, "the author's stays");
-    // Before somebody speaks the pause is longer.
+    // The pause before direct speech is longer.
     let plain = told("He was sad. Why so.", Some(CALM)).sentences[0].pause_secs;
     let turn = told("He was sad. \u{201c}Why so.\u{201d}", Some(CALM)).sentences[0].pause_secs;
     assert!((turn / plain - TURN).abs() < 1e-9, "{plain} {turn}");

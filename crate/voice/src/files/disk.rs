@@ -1,9 +1,8 @@
-//! Writing files so that a reader, also after a crash, has the old one or
-//! the new one, whole.
-//!
-//! A file is written under another name in the same folder, made durable, and renamed. All
-//! commands that write go through here; tests put a [`Disk`] that fails in the place of the real
+//! Atomic file writing: a reader, also after a crash, has the complete old file or the complete new
 //! one.
+//!
+//! A file is written under another name in the same folder, made durable, and renamed. All commands
+//! that write use this module; tests replace the real [`Disk`] with one that fails.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
@@ -59,7 +58,7 @@ impl Disk for SystemDisk {
     }
 
     fn sync_folder(&self, folder: &Path) -> io::Result<()> {
-        // Folders can be opened on Unix alone; elsewhere the system does this by itself.
+        // Folders can be opened only on Unix; elsewhere the system does this automatically.
         if cfg!(unix) {
             File::open(folder)?.sync_all()
         } else {
@@ -116,7 +115,7 @@ pub fn replace_on(disk: &dyn Disk, path: &Path, bytes: &[u8]) -> Result<()> {
     disk.create(&part, bytes)
         .and_then(|()| disk.rename(&part, path))
         .inspect_err(|_| {
-            // What was begun is of no use; that it cannot be removed changes nothing.
+            // The partial file is useless; a failure to remove it changes nothing.
             let _ = disk.remove(&part);
         })
         .and_then(|()| disk.sync_folder(folder_of(path)))

@@ -1,7 +1,7 @@
-//! Reading the files that a user names: regular ones, up to a size, as UTF-8 where they are text.
+//! Reading of user-specified files: regular ones, up to a size, as UTF-8 where they are text.
 //!
-//! `raconteur` on a stranger's files must not read `/dev/zero` until memory is
-//! full, nor wait for ever at a pipe.
+//! With untrusted files, `raconteur` must not read `/dev/zero` until memory is full, nor block
+//! forever on a pipe.
 
 use std::fs::{self, File, FileType};
 use std::io::{Read as _, Take};
@@ -18,7 +18,7 @@ pub const MAX_TEXT_BYTES: u64 = 16 << 20;
 /// # Errors
 /// When it cannot be read, is no regular file, or holds more than `most` bytes.
 pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>> {
-    // Not the size in the metadata: files that the kernel makes up have none.
+    // The size in the metadata is not used, because the kernel's virtual files have none.
     let mut bytes = Vec::new();
     let named = || format!("cannot read {}", path.display());
     let mut file = open(path, most)?;
@@ -109,7 +109,7 @@ mod tests {
                 told.contains("/dev/zero") && told.contains("a device"),
                 "{told}"
             );
-            // Of no size, by what it tells.
+            // Its metadata specifies no size.
             if Path::new("/proc/self/maps").exists() {
                 assert!(
                     bytes(Path::new("/proc/self/maps"), 10).is_err(),

@@ -1,5 +1,5 @@
-//! Files that a story may make the program read: those of its own folder and of the asset
-//! library. A story comes from strangers, and so do its folder and the links in it.
+//! Files that a story may read: those of its own folder and of the asset library. A story is
+//! untrusted, and so are its folder and the links in it.
 
 use std::fs;
 use std::io::ErrorKind;

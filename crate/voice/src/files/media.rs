@@ -1,6 +1,6 @@
-//! Sounds that ffmpeg reads. The first bytes alone decide the format of a file, and ffmpeg is
-//! made to read it as that: left to itself it takes a playlist for a sound and reads whatever
-//! files and addresses that names.
+//! Audio read by ffmpeg. The first bytes alone determine the format of a file, and ffmpeg must read
+//! it as that format: by default it accepts a playlist as audio and reads all files and addresses
+//! in it.
 
 use std::fs::File;
 use std::io::Read as _;
@@ -31,7 +31,7 @@ fn format_of(begin: &[u8]) -> Option<&'static str> {
             .get(offset..)
             .is_some_and(|rest| rest.starts_with(mark))
     };
-    // Frames of MPEG audio begin with eleven ones; the two bits that tell the layer are 0 in AAC.
+    // Frames of MPEG audio begin with eleven ones; the two layer bits are 0 in AAC.
     let frame = begin.len() >= 2 && begin[0] == 0xff && begin[1] & 0xe0 == 0xe0;
     let layer = begin.get(1).map_or(0, |b| b & 0x06);
     match () {
@@ -145,9 +145,9 @@ mod tests {
             ("  \n[playlist]\nFile1=secret.wav\n", "playlist"),
             ("v=0\no=- 0 0 IN IP4 127.0.0.1\n", "playlist"),
             ("<?xml version=\"1.0\"?><MPD/>", "playlist"),
-            ("file 'secret.wav'\n", "no sound"),
-            ("secret.wav\n", "no sound"),
-            ("", "no sound"),
+            ("file 'secret.wav'\n", "not an audio file"),
+            ("secret.wav\n", "not an audio file"),
+            ("", "not an audio file"),
         ] {
             for name in ["a.wav", "a.mp3", "a.m3u8", "a"] {
                 let path = folder.path().join(name);

@@ -1,5 +1,5 @@
-//! Files as a program on a machine has to treat them: written whole or not at all, read only
-//! where a story may look, and only up to a size.
+//! File access on a machine: files are written completely or not at all, read only where a story
+//! may read, and only up to a size.
 
 use std::path::Path;
 use std::sync::OnceLock;

@@ -1,4 +1,4 @@
-//! Pronunciations in the sets.
+//! Pronunciations in the phone sets.
 
 use super::*;
 
@@ -148,7 +148,7 @@ fn letters_that_last_become_phones_with_as_many_of_them() {
             (1, 0, "s")
         ]
     );
-    // A letter for two phones, a mark without a phone behind it, a letter that none has.
+    // A letter for two phones, a mark without a following phone, and a letter without a phone.
     assert_eq!(spans("pIˈ", Set::EspeakPt), [(1, 0, "p"), (2, 0, "aI")]);
     assert_eq!(spans("→a→", Set::Sampa), [(3, 0, "a")]);
     assert_eq!(spans("ˈˌ", Set::Sampa), []);

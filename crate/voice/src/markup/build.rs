@@ -1,4 +1,4 @@
-//! Puts what a document's elements mean together into a content.
+//! Builder of a content from the meaning of a document's elements.
 
 use super::xml::{Pieces, Tag, Token};
 use super::{MAX_DEPTH, Problem, levels};

@@ -1,4 +1,4 @@
-//! Points that part sentences and paragraphs, as elements around what lies between them.
+//! Boundaries of sentences and paragraphs, as elements around the text in between.
 
 use super::build::is_blank;
 use crate::content::{Division, Segment};
@@ -16,7 +16,7 @@ pub(crate) enum DivisionTag {
 /// markup. Parsed again, they divide the same words in the same way.
 pub(crate) fn tags(segments: &[Segment]) -> Vec<Vec<DivisionTag>> {
     let mut tags = vec![Vec::new(); segments.len()];
-    // For each open markup the divisions in it: place and what they part.
+    // For each open markup, its divisions: position and kind.
     let mut levels: Vec<Vec<(usize, Division)>> = vec![Vec::new()];
     let mut is_behind_division = false;
     for (place, segment) in segments.iter().enumerate() {
@@ -59,8 +59,8 @@ fn pair(level: &[(usize, Division)], tags: &mut [Vec<DivisionTag>]) {
     let is_paragraph = |&(_, division): &(usize, Division)| division == Paragraph;
     let first = level.iter().position(is_paragraph).unwrap_or(level.len());
     let last = level.iter().rposition(is_paragraph).unwrap_or(0);
-    // What lies between a division and the next one: whether it is in a paragraph, and
-    // whether it is a sentence.
+    // For the text between two divisions: whether it is in a paragraph, and whether it is a
+    // sentence.
     let in_paragraph = |i: usize| i >= first && i < last;
     let is_sentence = |i: usize| {
         let whole = is_paragraph(&level[i]) && is_paragraph(&level[i + 1]);

@@ -1,9 +1,9 @@
-//! What SABLE's words and numbers mean: one table for every front that speaks of pitch, pace,
-//! loudness, emphasis and pauses.
+//! Meaning of SABLE's words and numbers: one table for all front ends with pitch, rate, loudness,
+//! emphasis and pauses.
 //!
-//! The factors of words are those of Festival's `sable-mode.scm`. Emphasis counts as the
-//! description of SABLE 1.0 does. The lengths of pauses are *designed*, near Festival's mean
-//! pause of 200 ms and its long one at the end of an utterance.
+//! The factors of words are those of Festival's `sable-mode.scm`. Emphasis is interpreted as in the
+//! description of SABLE 1.0. The lengths of pauses are *designed*, near Festival's mean pause of
+//! 200 ms and its long one at the end of an utterance.
 
 use core::fmt::Write as _;
 
@@ -189,7 +189,7 @@ pub(crate) fn shifted_text(number: f64, exponent: i32) -> String {
         None => ("", mantissa),
     };
     let digits = mantissa.replace('.', "");
-    // The point stands behind this many digits.
+    // The decimal point follows this many digits.
     let point = power + 1;
     let mut out = sign.to_owned();
     if point <= 0 {
@@ -235,7 +235,7 @@ pub fn pause(text: &str) -> Option<f64> {
 #[must_use]
 pub fn pause_of_level(level: f64) -> f64 {
     let level = level.clamp(0.0, 3.0);
-    // Not a number counts as none; the cast saturates.
+    // NaN counts as none; the cast saturates.
     let below = (level as usize).min(2);
     raconteur_base::curve::lerp(PAUSES[below].1, PAUSES[below + 1].1, level - below as f64)
 }

@@ -1,4 +1,4 @@
-//! Marked-up text in and out: SABLE, SSML 1.1 and plain text become [`crate::content::Content`] and
+//! Conversion of marked-up text: SABLE, SSML 1.1 and plain text to [`crate::content::Content`] and
 //! back. No DTD is processed, nothing is fetched, and every size is bounded.
 
 pub(crate) mod build;

@@ -1,4 +1,4 @@
-//! A plain text file: paragraphs between blank lines, and verse.
+//! Plain text file: paragraphs between blank lines, and verse.
 
 use crate::content::{Boundary, Content, Division, Segment};
 

@@ -1,5 +1,5 @@
-//! Contents by chance are written and read again: the words, their styles and everything
-//! between them are the same.
+//! Round trip of random contents through both formats: the words, their styles and everything
+//! between them are unchanged.
 
 use super::{sable, ssml};
 use crate::content::{Age, Boundary, Content, Division, Gender, Markup, Segment, Setting, Speaker};
@@ -183,7 +183,7 @@ impl CaseGenerator {
 fn heard(content: &Content) -> Vec<(Item, Option<Style>, Option<usize>)> {
     let resolved = resolve(content, "festival");
     let mut heard: Vec<(Item, Option<Style>, Option<usize>)> = Vec::new();
-    // Only which words are together counts, not the number that says so.
+    // Only the grouping of words counts, not the group numbers.
     let mut groups: Vec<usize> = Vec::new();
     for item in resolved.items {
         match (item, heard.last_mut()) {

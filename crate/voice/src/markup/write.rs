@@ -1,4 +1,4 @@
-//! Writes tags and texts.
+//! Writer of tags and texts.
 
 use core::fmt::Write as _;
 

@@ -1,5 +1,5 @@
-//! Tags and texts of a document, with `quick-xml` as the tokenizer: bounded, without a DTD,
-//! and with the place of everything.
+//! Tags and texts of a document, with `quick-xml` as the tokenizer: bounded, without a DTD, and
+//! with the position of everything.
 
 use quick_xml::Reader;
 use quick_xml::XmlVersion;

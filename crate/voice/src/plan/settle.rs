@@ -1,4 +1,4 @@
-//! Where signs on their own belong: to the word before them, or to the one behind.
+//! Assignment of isolated signs to the preceding or the following word.
 
 use super::{Planner, Waiting};
 use raconteur_base::text::script::Script;
@@ -8,7 +8,7 @@ impl Planner<'_> {
     /// Assigns the signs since the last word to it, or to the `next`, which is then the last.
     pub(super) fn settle_signs(&mut self, next: Option<(&str, usize, Option<usize>)>) {
         let signs = core::mem::take(&mut self.signs);
-        // After a pause they belong to what follows.
+        // After a pause, they belong to the following word.
         let previous = self.waiting.last().map(|_| self.plan.words.len() - 1);
         let count = signs::belonging_to_previous(
             &signs.iter().map(String::as_str).collect::<Vec<_>>(),
@@ -54,7 +54,7 @@ impl Planner<'_> {
         let Some(last) = self.waiting.last_mut() else {
             return;
         };
-        // What stands for several words, or is one thing with them, has those within in it.
+        // A token for several words, or a group of words, already contains the inner signs.
         if last.together.is_some() {
             let signs = match last.together == next {
                 true => &mut last.text,

@@ -1,4 +1,4 @@
-//! What is planned for texts, shown in one line a sentence.
+//! Plans of texts, shown as one line per sentence.
 
 use super::*;
 use crate::content::{Markup, Segment};
@@ -159,7 +159,7 @@ fn another_language_or_speaker_is_a_sentence_of_its_own() {
     assert_eq!(show(&p), ["0:He 1:said", "2:guten 3:Tag", "4:to 5:me."]);
     assert_eq!(p.sentences[1].sentence.language, "de");
     assert!(
-        p.sentences[0].goes_on && !p.sentences[2].goes_on,
+        p.sentences[0].continues && !p.sentences[2].continues,
         "the first part continues and the third starts a sentence"
     );
 }

@@ -1,4 +1,4 @@
-//! Releases of plosives: where the energy above 2 kHz rises at once.
+//! Releases of plosives: sudden rises of the energy above 2 kHz.
 
 use super::filter::Biquad;
 use super::intensity::{decibels, span};

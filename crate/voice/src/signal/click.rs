@@ -1,4 +1,4 @@
-//! Clicks: jumps that stand out from the sound around them.
+//! Clicks: jumps that exceed the surrounding audio.
 
 use super::is_rate;
 

@@ -1,11 +1,10 @@
-//! Glottal epochs: one mark per period at the same place of each.
+//! Glottal epochs: one mark per period, at the same phase of each.
 //!
-//! The marks are peaks of the sound below about 1 kHz, of the polarity that stands out
-//! over the whole sound. Among the peaks of a voiced stretch the cheapest path is
-//! taken by dynamic programming, as Talkin chooses epochs ("Voicing epoch determination
-//! with dynamic programming", JASA 85 (1989) S149, doi:10.1121/1.2026823), with costs of
-//! its own: low peaks, steps that are not the period of the pitch track, and periods
-//! that do not look like the one before.
+//! The marks are peaks of the audio below about 1 kHz, of the polarity that dominates the whole
+//! audio. Among the peaks of a voiced interval, dynamic programming selects the cheapest path, as
+//! Talkin chooses epochs ("Voicing epoch determination with dynamic programming", JASA 85 (1989)
+//! S149, doi:10.1121/1.2026823), with different costs: low peaks, steps that differ from the period
+//! of the pitch track, and periods that differ from the previous one.
 
 use std::f64::consts::PI;
 
@@ -81,7 +80,7 @@ pub(super) fn voiced(samples: &[f64], rate_hz: f64, track: &PitchTrack) -> Vec<V
             (at(first as f64 - 0.5), at(past as f64 - 0.5))
         })
         .collect();
-    // The polarity whose peaks stand out more: the third moment has its sign.
+    // The polarity of the more prominent peaks: the third moment has its sign.
     let skew: f64 = runs
         .iter()
         .flat_map(|&(from, to)| &smooth[from..to])
@@ -95,7 +94,7 @@ pub(super) fn voiced(samples: &[f64], rate_hz: f64, track: &PitchTrack) -> Vec<V
     let mut found: Vec<Vec<f64>> = Vec::new();
     for &(from, to) in &runs {
         let mut marks = interval(&smooth, from, to, rate_hz, track);
-        // Two stretches may have grown into the same gap: the first has it.
+        // Two intervals may have extended into the same gap: the first owns it.
         if let Some(end) = found.last().and_then(|before| before.last()) {
             marks.retain(|at| at - end > 0.001 * rate_hz);
         }
@@ -195,7 +194,7 @@ fn peaks(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchTrac
         let tallest = smooth[low..high.min(smooth.len())]
             .iter()
             .fold(b, |m, &x| m.max(x));
-        // Peaks that low are ripples; to consider them only takes time.
+        // Peaks this low are ripples; considering them only takes time.
         if b < 0.2 * tallest {
             continue;
         }
@@ -223,7 +222,7 @@ fn weigh(peaks: &mut [Peak], smooth: &[f64], from: usize) {
         {
             oldest += 1;
         }
-        // The first epoch must lie within the first period, or pay for what it skips.
+        // The first epoch must be within the first period, or pay for the skipped ones.
         let skipped = (here.at - from as f64) / here.period;
         here.cost = low
             + if skipped > 1.2 {
@@ -246,7 +245,7 @@ fn weigh(peaks: &mut [Peak], smooth: &[f64], from: usize) {
                 here.before = Some(j);
             }
         }
-        // A place without a usable peak must not lose all that came before it.
+        // A position without a usable peak must not lose the preceding path.
         if let (None, Some(there)) = (here.before, done.last()) {
             let cost = there.cost + GAP_COST + (here.at - there.at) / here.period;
             if cost < here.cost {

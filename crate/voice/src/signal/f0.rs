@@ -1,11 +1,11 @@
-//! The fundamental frequency, after Boersma, "Accurate short-term analysis of the
-//! fundamental frequency and the harmonics-to-noise ratio of a sampled sound", Proc. of
-//! the Institute of Phonetic Sciences 17 (1993), 97–110.
+//! Fundamental frequency, after Boersma, "Accurate short-term analysis of the fundamental frequency
+//! and the harmonics-to-noise ratio of a sampled sound", Proc. of the Institute of Phonetic
+//! Sciences 17 (1993), 97–110.
 //!
-//! A frame's autocorrelation is divided by that of its window, which makes the height of
-//! a peak the share of the sound that repeats; the best path through the frames' peaks
-//! pays for jumps. Constants are the paper's (section 5) or, where it has none, those of
-//! the programme that its author maintains; they say so.
+//! A frame's autocorrelation is divided by that of its window, which makes the height of a peak the
+//! periodic share of the audio; the best path through the frames' peaks includes costs for jumps.
+//! Constants are the paper's (section 5) or, where it has none, those of the program that its
+//! author maintains; each specifies its source.
 
 mod analyser;
 
@@ -293,7 +293,7 @@ mod tests {
                 }
                 judged += 1;
                 wrong += usize::from((f > 0.0) != (truth(0.0) > 0.0));
-                // Over a glide a window sees the mean of its reach; edges see half.
+                // During a glide, a window has the mean of its range; at edges, half of it.
                 if f > 0.0 && truth(-0.03) > 0.0 && truth(0.03) > 0.0 {
                     worst = worst.max((f / truth(0.0) - 1.0).abs());
                 }

@@ -1,4 +1,4 @@
-//! Level along a sound, in decibels relative to full scale: 0 dB is the power of a
+//! Intensity of audio over time, in decibels relative to full scale: 0 dB is the power of a
 //! constant 1 (a full sine is at −3.01 dB).
 
 use std::f64::consts::PI;

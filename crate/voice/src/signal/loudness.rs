@@ -1,4 +1,4 @@
-//! Loudness of a whole sound: ITU-R BS.1770-4 (2015), annex 1, for channels in front.
+//! Integrated loudness of audio: ITU-R BS.1770-4 (2015), annex 1, for front channels.
 
 use std::f64::consts::PI;
 

@@ -1,13 +1,12 @@
-//! The signal of speech: measures and changes of it.
+//! Speech signal processing: measurements and modifications.
 //!
-//! Every function takes one channel of samples in −1..1 and the sampling rate in hertz
-//! (8 to 48 kHz are meant); time 0 is the first sample. The functions are pure and never
-//! panic; a rate that is no rate (not finite, or below [`MIN_RATE_HZ`]) gives what
-//! silence of no length gives.
+//! Every function takes one channel of samples in −1..1 and the sampling rate in hertz (intended: 8
+//! to 48 kHz); time 0 is the first sample. The functions are pure and never panic; an invalid rate
+//! (not finite, or below [`MIN_RATE_HZ`]) gives the result of empty audio.
 //!
-//! Does: fundamental frequency, level, loudness, glottal epochs, bursts, a
-//! spectrogram as data; changes of duration, pitch and gain.
-//! Does not: read or write sound files, draw, or decide what a voice should sound like.
+//! Scope: fundamental frequency, intensity, loudness, glottal epochs, bursts, a spectrogram as
+//! data; changes of duration, pitch and gain.
+//! Out of scope: reading and writing of audio files, rendering, and the character of a voice.
 
 pub mod bursts;
 #[cfg(test)]

@@ -1,14 +1,14 @@
-//! Changes of duration, pitch and gain by pitch-synchronous overlap and add in the time
-//! domain (TD-PSOLA: Moulines and Charpentier, Speech Communication 9 (1990) 453–467,
+//! Changes of duration, pitch and gain by pitch-synchronous overlap and add in the time domain
+//! (TD-PSOLA: Moulines and Charpentier, Speech Communication 9 (1990) 453–467,
 //! doi:10.1016/0167-6393(90)90021-Z).
 //!
-//! Voiced sound is cut into grains of two periods around its epochs, which are set down
-//! at the wanted distance. What differs from the paper: grains are placed between
-//! samples (a period of whole samples is rough at high voices); a grain's gain is the
-//! root of its new distance over its old, which keeps the power; and unvoiced sound is
-//! not repeated grain by grain, which would give it a pitch, but runs on as it is until
-//! it is some milliseconds off, then skips to the place nearby that fits best (the idea
-//! of WSOLA: Verhelst and Roelands, ICASSP 1993, doi:10.1109/ICASSP.1993.319366).
+//! Voiced audio is split into grains of two periods around its epochs, which are placed at the
+//! wanted distance. Differences from the paper: grains are placed between samples (a period of
+//! whole samples is rough at high voices); a grain's gain is the root of its new distance over its
+//! old, which preserves the power; and unvoiced audio is not repeated grain by grain, which would
+//! give it a pitch, but continues unchanged until it is some milliseconds off, then skips to the
+//! nearby position that fits best (the idea of WSOLA: Verhelst and Roelands, ICASSP 1993,
+//! doi:10.1109/ICASSP.1993.319366).
 
 use std::f64::consts::PI;
 
@@ -79,9 +79,8 @@ pub fn change(samples: &[f64], rate_hz: f64, track: &PitchTrack, change: &Change
     let mut changed = if same_times && same_pitch {
         unchanged()
     } else {
-        // Bursts must not be doubled even where they may be stretched. Where sound is
-        // shortened nothing is doubled, and to guard them there moves splices to worse
-        // places.
+        // Bursts must not be doubled even where they may be stretched. Shortening doubles nothing,
+        // and protecting them there would move splices to worse positions.
         let free = |span: &(f64, f64)| !change.rigid.iter().any(|r| r.0 < span.1 && r.1 > span.0);
         let stretched =
             |span: &(f64, f64)| times.after(span.1) - times.after(span.0) > span.1 - span.0;
@@ -319,12 +318,12 @@ impl<'a> Maker<'a> {
             SHORTENED_SECS
         };
         let (ahead, behind) = (ahead * self.rate_hz, behind * self.rate_hz);
-        // How far the sound would be behind its place if it ran on.
+        // The delay of the audio if it continued unchanged.
         let late = last.shift() - wanted;
         if (-ahead..=behind).contains(&late) {
             return last.shift();
         }
-        // What would be heard twice, or not at all.
+        // The interval that would be repeated or omitted.
         let leap = LEAP_SECS * self.rate_hz;
         let (low, high) = if late > 0.0 {
             (-ahead, behind - leap)
@@ -341,8 +340,8 @@ impl<'a> Maker<'a> {
             let here = self.loudest(from, from, half).max(self.quiet);
             self.loudest(first, from, half) > LOUDER * here
         };
-        // The last chance to go back before a burst comes too early. (To do the same
-        // before voiced sound brought back ends of fricatives, which is worse.)
+        // The last opportunity to step back before a burst would come too early. (The same before
+        // voiced audio would repeat ends of fricatives, which is worse.)
         let last_chance = || {
             let soon = one + step..one + 3.0 * step;
             self.guarded.iter().any(|r| soon.contains(&r.0))
@@ -402,7 +401,7 @@ impl<'a> Maker<'a> {
             self.add_half(next, next.left, -1.0, |_| 1.0);
             return;
         }
-        // Windows that meet: what they add up to depends on how alike the two are.
+        // Adjacent windows: their sum depends on their similarity.
         let alike = if (one.shift() - next.shift()).abs() < 1.0 || same_run {
             1.0
         } else {

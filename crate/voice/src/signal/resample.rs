@@ -1,7 +1,8 @@
-//! Sound at another rate.
+//! Resampling of audio.
 //!
-//! Our own, since no kept crate gives the same samples (rubato has other kernels and delays): all voices would have to be
-//! baked again, and bundles are told apart by their bytes.
+//! This implementation is its own, because no maintained crate gives the same samples (rubato has
+//! other kernels and delays): all voices would need another bake, and bundles are identified by
+//! their bytes.
 
 use core::f64::consts::PI;
 
@@ -29,7 +30,7 @@ fn bessel(x: f64) -> f64 {
 /// doi:10.1109/ICASSP.1984.1172555). Invalid rates give an empty result.
 #[must_use]
 pub fn resample(samples: &[f64], from_hz: f64, to_hz: f64) -> Vec<f64> {
-    // How finely the kernel is known between its samples; in between it is a line.
+    // The resolution of the kernel between its samples; intermediate values are linear.
     const FINE: f64 = 512.0;
     if from_hz == to_hz {
         return samples.to_vec();
@@ -38,7 +39,7 @@ pub fn resample(samples: &[f64], from_hz: f64, to_hz: f64) -> Vec<f64> {
         return Vec::new();
     }
     let length = (samples.len() as f64 * to_hz / from_hz).round() as usize;
-    // Cycles a sample of the input that are kept.
+    // Retained cycles per input sample.
     let cut = 0.5 * CUT * (to_hz / from_hz).min(1.0);
     let reach = CROSSINGS / (2.0 * cut);
     let kernel: Vec<f64> = (0..=(reach * FINE) as usize + 2)

@@ -1,4 +1,4 @@
-//! Factors of duration when some spans must keep theirs.
+//! Duration factors with spans of fixed duration.
 
 use super::TimeMap;
 
@@ -53,7 +53,7 @@ pub(super) fn time_map(
             let near = at.saturating_sub(reach)..(end + reach).min(count);
             let takes_all = near.len() == count;
             owed -= spread(&mut factors, &stiff, near, owed, &lengths);
-            // What the whole sound cannot take is lost: all of it is rigid or at a bound.
+            // The rest of the requested change is lost if all of the audio is rigid or at a bound.
             if takes_all {
                 break;
             }

@@ -1,4 +1,4 @@
-//! A spectrogram as data: what a picture of speech is drawn from.
+//! Spectrogram as data, the source of a speech image.
 
 use raconteur_base::ops;
 use realfft::RealFftPlanner;
@@ -152,7 +152,7 @@ mod tests {
         let brightest = (0..256).max_by_key(|y| column[*y]).unwrap_or(0);
         let hz = 8000.0 * (255.5 - brightest as f64) / 256.0;
         assert!((hz - 3000.0).abs() < 40.0, "{hz}");
-        // 216 Hz wide at −3 dB, so 1 kHz away there is nothing.
+        // The line is 216 Hz wide at −3 dB, so 1 kHz away there is nothing.
         assert!(
             column[brightest] > 250 && column[brightest + 32] == 0,
             "the tone is bright at its frequency only"
@@ -174,7 +174,7 @@ mod tests {
             silent.levels.iter().all(|l| *l == 0) && silent.width == 51,
             "silence has 51 empty columns"
         );
-        // 8 kHz has nothing above 4 kHz to show.
+        // 8 kHz audio has nothing above 4 kHz.
         let noise: Vec<f64> = (0..800).map(super::super::scatter).collect();
         let low = spectrogram(&noise, 8000.0, &o);
         assert!(

@@ -1,4 +1,4 @@
-//! Sounds whose truth is known, for the tests of this module.
+//! Audio with known properties, for the tests of this module.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! Where a moment of changed sound was before, and the other way round.
+//! Mapping between times before and after a change of audio.
 
 /// Map from the times of a sound before a change to those after it: piecewise linear, increasing,
 /// starting at (0, 0). Beyond the ends it continues with slope 1.
@@ -30,7 +30,7 @@ impl TimeMap {
             }
             before += secs;
             after += secs * factor;
-            // A stretch of the same factor makes the one before it longer.
+            // An interval of the same factor extends the previous one.
             if factor == slope {
                 knees.pop();
             }

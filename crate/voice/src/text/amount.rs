@@ -1,5 +1,5 @@
-//! Words with digits: money, times, dates, telephone numbers, fractions, measures, ranges
-//! and plain numbers, the clearest kind first.
+//! Words with digits: money, times, dates, telephone numbers, fractions, measures, ranges and plain
+//! numbers, the clearest kind first.
 
 use super::grammar::{Form, Grammars as _};
 use super::language::Language;
@@ -40,7 +40,7 @@ impl Reader<'_> {
                 return Some(Reading::one(format!("{amount} {magnitude} {unit}")));
             }
             let number = Number::parse(&text, language)?;
-            // "$3.5 million": the unit comes after the magnitude.
+            // "$3.5 million": the unit follows the magnitude.
             if let Some(magnitude) = money::magnitude(next, &number, language) {
                 let unit = currency.name(false, language);
                 return Some(Reading::several([
@@ -57,7 +57,7 @@ impl Reader<'_> {
                 .as_ref()
                 .is_some_and(|(_, digits)| digits.len() == 2);
             let amount = currency.amount(&number, language);
-            // Hundredths stand after the unit, so the sign's word has no sound of its own.
+            // Hundredths follow the unit, so the sign's word is not spoken.
             if cents {
                 return Some(Reading::several([amount, String::new()]));
             }

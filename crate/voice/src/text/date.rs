@@ -102,7 +102,7 @@ fn arrange(parts: &[&str], order: Order, language: Language) -> Option<Date> {
         None => None,
     };
     let year = match year {
-        // A year of two digits beside a month alone would be a fraction or a score.
+        // A two-digit year with only a month would be a fraction or a score.
         Some(text) if text.len() == 4 || text.len() == 2 && day.is_some() => {
             Some(text.parse().ok()?)
         }

@@ -1,5 +1,5 @@
-//! English numbers, dates and times. Numbers are read with "and" ("one hundred and
-//! one"), which is usual in Britain and understood everywhere.
+//! English numbers, dates and times. Numbers are read with "and" ("one hundred and one"), which is
+//! usual in Britain and understood everywhere.
 
 use super::date::{Date, MONTHS};
 use super::grammar::{Form, Grammar};
@@ -79,7 +79,7 @@ fn part_name(denominator: u64) -> Option<String> {
     match denominator {
         2 => Some("half".to_owned()),
         4 => Some("quarter".to_owned()),
-        // "Twenty-firsts" is no English: such parts are read with "over".
+        // "Twenty-firsts" is not English: such fractions are read with "over".
         n if n > 1 && n <= 1000 && n % 10 != 1 && n % 10 != 2 || matches!(n, 11 | 12) => {
             Some(English.ordinal(n, ""))
         }

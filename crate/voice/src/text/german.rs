@@ -1,5 +1,5 @@
-//! German numbers, dates and times. Numbers below a million are one word (Duden,
-//! *Schreibung von Zahlen*), parted after "tausend" only where a token would be too long.
+//! German numbers, dates and times. Numbers below a million are one word (Duden, *Schreibung von
+//! Zahlen*), split after "tausend" only where a token would be too long.
 
 use super::TOKEN_CHARS;
 use super::date::{Date, MONTHS};

@@ -1,4 +1,4 @@
-//! What the readers of text ask of the grammar of a language.
+//! Grammar interface of a language for the readers of text.
 
 use super::date::Date;
 use super::time::Clock;

@@ -1,4 +1,4 @@
-//! Which grammar a language has.
+//! Grammar of each language.
 
 use super::english::English;
 use super::german::German;

@@ -1,4 +1,4 @@
-//! A user's lexicon: how words are said that engines get wrong.
+//! User lexicon: pronunciations of words that engines mispronounce.
 
 use std::collections::BTreeMap;
 
@@ -115,7 +115,7 @@ impl Lexicon {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         for (index, whole) in text.lines().enumerate() {
             let at = |part: &str, problem: LexiconProblem| {
-                // `part` is a slice of the line, so its place is the difference.
+                // `part` is a slice of the line, so its position is the difference.
                 let bytes = (part.as_ptr() as usize).saturating_sub(whole.as_ptr() as usize);
                 let column = whole.get(..bytes).map_or(0, |head| head.chars().count()) + 1;
                 LexiconError {

@@ -1,10 +1,9 @@
-//! Text as it is written, turned into text as it is spoken.
+//! Conversion of written text to spoken text.
 //!
-//! Does: numbers, dates, times, money, measures, fractions, abbreviations, acronyms,
-//! addresses and signs of English, German and European Portuguese as words; the modes of
-//! SABLE's SAYAS; a user's lexicon. It tells of every written word which spoken ones are
-//! its.
-//! Does not: read other languages (their words pass as they are) or make sounds.
+//! Scope: numbers, dates, times, money, measures, fractions, abbreviations, acronyms, addresses and
+//! signs of English, German and European Portuguese as words; the modes of SABLE's SAYAS; a user's
+//! lexicon. The result maps every written word to its spoken ones.
+//! Out of scope: other languages (their words pass unchanged) and audio.
 
 mod amount;
 mod date;
@@ -163,7 +162,7 @@ pub fn speakable(
         }
         at += taken;
     }
-    // A comma that only a bracket or dash stands for has nothing to part at the end.
+    // A comma for a bracket or dash separates nothing at the end.
     if let (Some(last), Some(word)) = (spoken.iter_mut().flatten().next_back(), words.last())
         && last.punctuation == ","
         && !word.end.contains(',')
@@ -195,7 +194,7 @@ fn punctuate(
     if !dot {
         end = end.strip_prefix('.').unwrap_or(end);
     }
-    // "it...", and then a comma: the comma tells more.
+    // "it...", and then a comma: the comma is more specific.
     if end.len() > 1 {
         end = end.strip_prefix('.').unwrap_or(end);
     }
@@ -234,8 +233,8 @@ fn from_lexicon(
     match entry {
         Entry::Respelling(words) => Some(token::tokens(words)),
         Entry::Ipa(ipa) => {
-            // The text is for captions and alignment: the word's letters, or the reading of
-            // a word that has none.
+            // The text is for captions and alignment: the word's letters, or the reading of a word
+            // without letters.
             let mut token = Token::parse(&word.core.chars().take(TOKEN_CHARS).collect::<String>());
             if token.is_none() {
                 let said = reader

@@ -1,4 +1,4 @@
-//! Numbers as they are written with digits, and their reading.
+//! Numbers written with digits, and their reading.
 
 use super::grammar::{Form, Grammars as _};
 use super::language::Language;

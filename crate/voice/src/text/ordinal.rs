@@ -135,9 +135,9 @@ impl Reader<'_> {
         let next = self.next_after_stop(at);
         let (before, previous) = self.led_by(at);
         let noun = next.starts_with(char::is_uppercase);
-        // A small letter after the stop: the sentence goes on, "er wurde 1. und sie 2.".
+        // A lower-case letter after the stop continues the sentence: "er wurde 1. und sie 2.".
         let goes_on = next.starts_with(char::is_lowercase);
-        // "Es war der 3. Es regnete": such a word rather begins a sentence.
+        // "Es war der 3. Es regnete": such a word more likely begins a sentence.
         let starts = [
             "Es", "Er", "Sie", "Ich", "Wir", "Du", "Ihr", "Das", "Die", "Der", "Dann", "Und",
             "Aber", "In", "Im", "Am", "Da", "So", "Ein", "Eine", "Doch", "Nun",

@@ -1,5 +1,5 @@
-//! European Portuguese numbers, dates and times: "dezasseis", the long scale ("mil
-//! milhões"), and "e" before the last group where that group is short or round.
+//! European Portuguese numbers, dates and times: "dezasseis", the long scale ("mil milhões"), and
+//! "e" before the last group where that group is short or round.
 
 use super::date::{Date, MONTHS};
 use super::grammar::{Form, Grammar};
@@ -199,8 +199,8 @@ impl Grammar for Portuguese {
             return ONES[0].to_owned();
         }
         let mut spoken = String::new();
-        // From the highest group of three digits down; the lower of each pair carries the
-        // pair's name, so that 10^9 is "mil milhões".
+        // From the highest group of three digits down; the lower of each pair carries the pair's
+        // name, so that 10^9 is "mil milhões".
         for power in (0..6).rev() {
             let group = n / 1000u64.pow(power) % 1000;
             let pair = n / 1_000_000u64.pow(power / 2) % 1_000_000;

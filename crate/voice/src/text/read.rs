@@ -1,4 +1,4 @@
-//! Which kind of text a word is, and who reads it.
+//! Kind of a word's text, and the reader of that kind.
 
 use super::grammar::{Form, Grammars as _};
 use super::language::Language;
@@ -219,7 +219,8 @@ impl<'a> Reader<'a> {
         };
         let n = roman::value(core)?;
         let (previous, next) = (self.previous(at), self.next_after_stop(at));
-        // What drips is no four, and nothing is an four.
+        // After a word such as "drip" or "fluids", "IV" is not a four, and a four never follows
+        // "an".
         let drips = previous.eq_ignore_ascii_case("an")
             || [
                 "drip",
@@ -257,7 +258,7 @@ impl<'a> Reader<'a> {
         if language == Language::English && core.len() > 1 && is_counted(next) {
             return Some(Reading::one(grammar.ordinal(n, "")));
         }
-        // Of two letters and more, those without C, D, L and M are nothing else.
+        // With two letters or more, those without C, D, L and M have no other meaning.
         if core.len() < 2 || !core.chars().all(|c| matches!(c, 'I' | 'V' | 'X')) {
             return None;
         }
@@ -276,7 +277,7 @@ impl<'a> Reader<'a> {
         const HYPHENS: [char; 3] = ['-', '\u{2010}', '\u{2011}'];
         let parts: Vec<&str> = word.split(HYPHENS).collect();
         if parts.len() > 1 {
-            // "US-Präsident": what is joined to something in small letters is a name.
+            // "US-Präsident": a part joined to lower-case letters is a name.
             let around = match word.contains(char::is_lowercase) {
                 true => CapitalContext::Name,
                 false => around,

@@ -1,4 +1,4 @@
-//! Roman numerals, read only where the word before them makes them clear.
+//! Roman numerals, read only where the preceding word identifies them.
 
 use super::grammar::{Form, Grammars as _};
 use super::language::Language;

@@ -65,7 +65,7 @@ impl Reader<'_> {
                 let length = run(rest, joins);
                 let word = rest[..length].trim_end_matches(is_joiner);
                 let after = rest[word.len()..].chars().next().unwrap_or(' ');
-                // A letter beside a sign is a name ("R&B"), beside a dash mostly a word.
+                // A letter next to a sign is a name ("R&B"), next to a dash mostly a word.
                 let named = math || !is_break(before) || !is_break(after);
                 spoken.push(match word.chars().count() {
                     1 if named => spelling::literal(word, language),
@@ -81,7 +81,7 @@ impl Reader<'_> {
                     .sign_between(c, before, next, math)
                     .filter(|_| !doubled)
                 {
-                    // A comma goes after the word before it.
+                    // A comma follows the preceding word.
                     match (said, spoken.last_mut()) {
                         (",", Some(last)) if !last.is_empty() && !last.ends_with(',') => {
                             last.push(',');

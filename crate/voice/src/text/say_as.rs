@@ -1,5 +1,5 @@
-//! The modes of SABLE's SAYAS. A word that does not fit its mode is read unmarked, so that
-//! "due on" in a marked date stays what it is.
+//! Modes of SABLE's SAYAS. A word that does not fit its mode is read unmarked, so that "due on" in
+//! a marked date is unchanged.
 
 use super::grammar::{Form, Grammars as _};
 use super::language::Language;
@@ -92,7 +92,7 @@ impl Reader<'_> {
                     Some('ª') => "a",
                     Some('º') => "o",
                     _ => match (language, self.previous(at), self.next_after_stop(at)) {
-                        // Nothing around it tells: the form of the dictionary.
+                        // Without context, the dictionary form applies.
                         (Language::German, "", "") => "e",
                         (_, previous, next) => grammar.ending(before, previous, next),
                     },

@@ -1,8 +1,8 @@
-//! Names of letters, digits and signs; literal reading, telephone numbers, addresses of
-//! the net, and which capitals are spelled.
+//! Names of letters, digits and signs; literal reading, telephone numbers, internet addresses, and
+//! spelled capitals.
 //!
-//! A letter's name is a respelling that engines read right as a word of its own (heard with
-//! espeak-ng); single letters they take for articles or prepositions.
+//! A letter's name is a respelling that engines read correctly as a separate word (tested by
+//! listening to espeak-ng); engines treat single letters as articles or prepositions.
 
 use super::grammar::{Form, Grammars as _};
 use super::language::Language;
@@ -233,7 +233,7 @@ pub(super) fn phone(text: &str, language: Language) -> String {
         let width = if bytes.len() > 4 { 3 } else { 4 };
         let mut rest = bytes.as_slice();
         while !rest.is_empty() {
-            // No digit is left alone at the end: 5551234 is 555 1234.
+            // No single digit is left at the end: 5551234 is 555 1234.
             let cut = if rest.len() <= 4 { rest.len() } else { width };
             let (group, tail) = rest.split_at(cut);
             groups.push(number::digits(&group.iter().collect::<String>(), language));

@@ -1,4 +1,4 @@
-//! What must hold whatever the text of a lexicon: shared by the tests and the fuzz target.
+//! Invariants of any lexicon text, shared by the tests and the fuzz target.
 
 use raconteur_voice::content::Content;
 use raconteur_voice::plan::plan;

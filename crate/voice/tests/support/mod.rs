@@ -1,4 +1,4 @@
-//! The files of `tests/align`.
+//! Files of `tests/align`.
 
 use std::fs;
 use std::path::{Path, PathBuf};

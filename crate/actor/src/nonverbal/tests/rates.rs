@@ -130,7 +130,7 @@ fn check(counts: &Counts) {
 fn an_hour_of_speech_has_the_published_rates() {
     for way in [PlanBasis::Audio, PlanBasis::Text] {
         let manner = Manner {
-            way,
+            basis: way,
             ..Manner::default()
         };
         let speech = hour(1);
@@ -223,7 +223,7 @@ fn nothing_jumps_and_the_head_is_raised_by_three_degrees_at_most() {
             &speech,
             5,
             &Manner {
-                way,
+                basis: way,
                 ..Manner::default()
             },
         );
@@ -396,7 +396,7 @@ fn by_its_text_speech_is_accompanied_alike_however_loud_it_is() {
         .collect();
     for (way, is_alike) in [(PlanBasis::Text, true), (PlanBasis::Audio, false)] {
         let manner = Manner {
-            way,
+            basis: way,
             ..Manner::default()
         };
         let plans = [&speech, &silent].map(|s| NonVerbal::new(s, 5, &manner));

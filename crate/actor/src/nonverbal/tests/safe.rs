@@ -153,7 +153,7 @@ fn impossible_speech_is_survived() {
     for way in [PlanBasis::Audio, PlanBasis::Text] {
         for amount in [1.0, 0.0, -3.0, f64::NAN, 1e300] {
             let manner = Manner {
-                way,
+                basis: way,
                 head: amount,
                 brows: amount,
                 blinks: amount,

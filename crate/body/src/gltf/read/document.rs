@@ -89,13 +89,13 @@ pub struct Material {
     pub wrinkle_texture: Option<usize>,
 }
 
-/// An image in the binary chunk.
+/// Image stored in the binary chunk of a glTF document: media type and buffer view.
 pub struct Image {
     pub mime_type: String,
     pub view: usize,
 }
 
-/// Type of one number in a buffer.
+/// Component type of the numbers in an accessor.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Component {
     I8,
@@ -156,7 +156,7 @@ pub struct View {
     pub packed: Option<CompressedView>,
 }
 
-/// A document and its binary chunk.
+/// Parsed parts of a glTF document that make up a figure, with the binary chunk.
 pub struct Document<'a> {
     pub extensions_required: Vec<String>,
     pub stature_m: Option<f64>,
@@ -300,7 +300,7 @@ fn word(bytes: &[u8], at: usize) -> Option<u32> {
     Some(u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
 }
 
-/// The JSON and binary chunks of a container.
+/// Splits a GLB container into its JSON and binary chunks.
 pub fn chunks(glb: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
     let bad = |what: &str| ReadError::NotGlb(what.to_owned());
     if glb.get(..4) != Some(MAGIC) {
@@ -338,14 +338,14 @@ pub fn chunks(glb: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
 }
 
 impl<'a> Document<'a> {
-    /// Parses a container.
+    /// Parses a GLB container.
     pub fn read(glb: &'a [u8]) -> Result<Self, ReadError> {
         let (json, bin) = chunks(glb)?;
         let root = serde_json::from_slice(json).map_err(|e| ReadError::NotGlb(e.to_string()))?;
         Self::from_json(&root, bin)
     }
 
-    /// From a document's JSON and its one buffer.
+    /// Creates a document from its JSON and its one buffer.
     pub fn from_json(root: &Value, bin: &'a [u8]) -> Result<Self, ReadError> {
         if root["asset"]["version"]
             .as_str()

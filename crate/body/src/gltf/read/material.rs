@@ -4,7 +4,7 @@ use super::ReadError;
 use super::document::{self, Document};
 use crate::figure::{Material, MaterialKind, TextureMaps};
 
-/// The image behind a texture.
+/// Returns the image index of a texture; `None` if the material has no texture.
 fn map_of(root: &Document<'_>, texture: Option<usize>) -> Result<Option<usize>, ReadError> {
     let Some(texture) = texture else {
         return Ok(None);

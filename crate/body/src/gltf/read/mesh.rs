@@ -8,7 +8,7 @@ use super::{ReadError, document, same_count, soft};
 use crate::figure::{Figure, Mesh, Morph};
 use crate::skeleton::Skeleton;
 
-/// Mapping of a skin from the file's vertices and joints to ours.
+/// Mapping from the joints and vertices of a skin in the file to those of the figure.
 pub(super) struct Binding {
     /// Joints of the skin as indices into the skeleton's.
     joints: Vec<u16>,
@@ -150,7 +150,7 @@ pub(super) fn read_primitive(
     })
 }
 
-/// The figure's joints of vertices, of those of the file's skin.
+/// Converts the joint indices of vertices from the file's skin to the figure's skeleton.
 fn joints_of(joints: Vec<[u32; 4]>, binding: &Binding) -> Result<Vec<[u16; 4]>, ReadError> {
     let what = "a vertex's joint";
     let of = |quad: [u32; 4]| {
@@ -179,7 +179,7 @@ fn weights_of(weights: Vec<[f32; 4]>) -> Result<Vec<[f32; 4]>, ReadError> {
     weights.into_iter().map(of).collect()
 }
 
-/// The triangles of an accessor, over `count` vertices.
+/// Reads the triangles of an accessor, over `count` vertices.
 fn read_triangles(
     source: &mut Source<'_>,
     accessor: usize,
@@ -199,7 +199,7 @@ fn read_triangles(
     Ok(indices)
 }
 
-/// The triangles of a mesh's coarser levels of detail.
+/// Reads the triangles of a mesh's coarser levels of detail.
 fn read_coarser(
     source: &mut Source<'_>,
     mesh: &document::Mesh,

@@ -10,10 +10,10 @@ use serde_json::Value;
 
 use super::ReadError;
 
-/// The extension's name.
+/// Name of the glTF extension for compressed buffer views.
 pub const EXTENSION: &str = "EXT_meshopt_compression";
 
-/// Location and content of a compressed view's stream.
+/// Location and format of the compressed stream of a buffer view.
 pub struct CompressedView {
     buffer: usize,
     byte_offset: usize,
@@ -43,7 +43,7 @@ impl CompressedView {
         })
     }
 
-    /// The bytes of the view, which are `length` long, with the view's own stride if it has one.
+    /// Decompresses the view to `length` bytes, with the view's own stride if it has one.
     pub(super) fn unpack(
         &self,
         bin: &[u8],

@@ -13,7 +13,7 @@ const VERSION: u64 = 1;
 /// Messages of faults.
 const BINDING: &str = "a binding to tissue";
 
-/// The tissue, if there is one.
+/// Reads the facial tissue of a figure; `None` if the file has none.
 pub(super) fn tissue(source: &mut Source<'_>) -> Result<Option<Tissue>, ReadError> {
     let Some(view) = source.root.tissue else {
         return Ok(None);
@@ -22,7 +22,8 @@ pub(super) fn tissue(source: &mut Source<'_>) -> Result<Option<Tissue>, ReadErro
     Ok(Some(from_bytes(&bytes)?))
 }
 
-/// The binding of a mesh of `count` vertices, if it has one. Rows sum to at most 1.
+/// Reads the binding of a mesh of `count` vertices to the facial tissue; `None` if it has none. The
+/// weights of a vertex sum to at most 1.
 pub(super) fn binding(
     source: &mut Source<'_>,
     mesh: &Mesh,

@@ -16,19 +16,19 @@ pub(super) const FLOAT: u32 = 5126;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// Compression of a view.
+/// Compression of a buffer view, chosen by its contents.
 #[derive(Clone, Copy)]
 pub(super) enum Packing {
-    /// As records of `stride` bytes, a multiple of four, each byte by its difference from the
-    /// record before.
+    /// Vertex attributes as records of `stride` bytes (a multiple of four), each byte stored as its
+    /// difference from the previous record.
     Attributes { stride: usize },
     /// Triangle packing, whose corners may be rotated; indices of `width` bytes.
     Triangles { width: usize },
-    /// As indices in their order, `width` bytes each.
+    /// Indices in their order, `width` bytes each.
     Indices { width: usize },
 }
 
-/// The binary chunk with its views and accessors while it grows.
+/// Binary chunk of a figure file under construction, with its buffer views and accessors.
 #[derive(Default)]
 pub(super) struct Buffer {
     pub(super) bytes: Vec<u8>,
@@ -187,7 +187,8 @@ impl Buffer {
         }))
     }
 
-    /// One morph target as two sparse accessors over zeros: positions and normals.
+    /// Writes a morph target as two sparse accessors over zeros (positions and normals) and returns
+    /// its JSON.
     pub(super) fn morph(&mut self, grid: &Grid, mesh: &Mesh, morph: &Morph) -> Value {
         let count = mesh.positions.len();
         let small = count <= usize::from(u16::MAX);

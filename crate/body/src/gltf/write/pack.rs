@@ -27,7 +27,7 @@ impl Packing {
         }
     }
 
-    /// `bytes` fill whole records.
+    /// Compresses `bytes`, which must consist of whole records.
     fn stream(self, bytes: &[u8]) -> Result<Vec<u8>, Error> {
         let mut workspace = Workspace::default();
         match self {
@@ -53,7 +53,7 @@ impl Packing {
     }
 }
 
-/// Little-endian numbers of two or four bytes.
+/// Reads little-endian indices of two or four bytes.
 fn indices(bytes: &[u8], width: usize) -> Vec<u32> {
     let number = |b: &[u8]| b.iter().rev().fold(0, |n, b| n << 8 | u32::from(*b));
     bytes.chunks_exact(width).map(number).collect()

@@ -6,7 +6,7 @@ use quick_xml::escape::escape;
 
 use super::{About, Lesson};
 
-/// Packaging standard.
+/// Packaging standard of an exported course.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Standard {
     /// SCORM 1.2, Content Aggregation Model.
@@ -17,7 +17,7 @@ pub(crate) enum Standard {
     Cmi5,
     /// xAPI, launched as Tin Can packages are.
     Xapi,
-    /// Any server.
+    /// Plain HTML site for any web server.
     Html,
 }
 
@@ -130,7 +130,7 @@ struct Version {
     kind: &'static str,
     /// Rollup elements of an item, from the status of its part.
     item: &'static str,
-    /// Of the whole: one may go from item to item, and choose one.
+    /// Elements of the course as a whole that allow free navigation between its items.
     whole: &'static str,
 }
 

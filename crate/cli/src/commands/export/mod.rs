@@ -25,16 +25,16 @@ pub(crate) struct Export {
     /// Script, or folder that contains a story.eml; several become the lessons of one course.
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// For learning management systems with SCORM 1.2.
+    /// Package for learning management systems with SCORM 1.2.
     #[arg(long)]
     scorm12: bool,
-    /// For learning management systems with SCORM 2004, 4th edition.
+    /// Package for learning management systems with SCORM 2004, 4th edition.
     #[arg(long)]
     scorm2004: bool,
-    /// For systems with cmi5.
+    /// Package for systems with cmi5.
     #[arg(long)]
     cmi5: bool,
-    /// For a record store of xAPI that a launch link names, as Tin Can packages have it.
+    /// Package for an xAPI record store named by a launch link, as in Tin Can packages.
     #[arg(long)]
     xapi: bool,
     /// For any web server: the browser stores the learner's progress.
@@ -65,7 +65,7 @@ pub(crate) struct Export {
     player: Option<PathBuf>,
 }
 
-/// Metadata of a course.
+/// Metadata of an exported course: title, identifiers, standard, completion rules and lessons.
 pub(crate) struct About {
     pub(crate) title: String,
     /// A name of letters, digits, hyphens and points, for the manifests of SCORM.
@@ -79,11 +79,11 @@ pub(crate) struct About {
     pub(crate) watched: f64,
     /// 0 to 1.
     pub(crate) pass: Option<f64>,
-    /// At least one, in the order in which they are learnt.
+    /// Lessons in the order of learning; at least one.
     pub(crate) lessons: Vec<Lesson>,
 }
 
-/// A story of a course.
+/// Lesson of an exported course: one story with its page and files.
 pub(crate) struct Lesson {
     pub(crate) title: String,
     /// Identifier in records; that of the course if the course has no other lesson.
@@ -281,13 +281,13 @@ fn slug(title: &str) -> String {
     words.join("-")
 }
 
-/// FNV-1a of the text's bytes, 32 bits.
+/// Returns the 32-bit FNV-1a hash of the text's bytes.
 fn fnv(text: &str) -> u32 {
     let mix = |hash: u32, byte: u8| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
     text.bytes().fold(0x811c_9dc5, mix)
 }
 
-/// A file of the folder that the player's build has made.
+/// Returns the folder of the built player, which contains the list of its files.
 ///
 /// # Errors
 /// When that folder is not there.

@@ -135,7 +135,7 @@ fn list(about: &About) -> String {
 mod tests {
     use super::*;
 
-    /// A course whose author writes code where texts belong.
+    /// Creates a test course whose texts contain markup and code.
     fn hostile(lessons: usize) -> About {
         let lesson = |_| Lesson {
             title: "<script>alert('&')</script>".into(),

@@ -31,7 +31,7 @@ struct Built {
     speech: Vec<String>,
 }
 
-/// The files of a package.
+/// Files of a package under construction, by their paths in it.
 pub(super) struct Parts {
     files: BTreeMap<String, Vec<u8>>,
     /// Files added for speech synthesis in the page, with their folder.
@@ -40,7 +40,7 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// The player of a built page.
+    /// Creates the package with the files of a built player.
     pub(super) fn of_player(named: Option<&Path>) -> Result<Self> {
         let built = player_folder(named)?;
         let list = input::text(&built.join(LIST), input::MAX_TEXT_BYTES)?;
@@ -121,7 +121,7 @@ impl Parts {
         Ok(story)
     }
 
-    /// A piece of the library, with the encoding that other browsers play.
+    /// Adds a piece of music from the library, in both encodings that browsers need.
     fn add_music(&mut self, file: &str) -> Result<()> {
         for path in [file.to_owned(), file.replace(".opus", ".mp3")] {
             if let Ok(bytes) = assets::read(&format!("music/{path}")) {
@@ -166,12 +166,12 @@ impl Parts {
         Ok(())
     }
 
-    /// A file at a path of the package.
+    /// Adds a file at a path of the package.
     pub(super) fn add(&mut self, path: &str, bytes: Vec<u8>) {
         self.files.insert(plain(path), bytes);
     }
 
-    /// The paths of all files, in order.
+    /// Returns the paths of all files, sorted.
     pub(super) fn paths(&self) -> Vec<String> {
         self.files.keys().cloned().collect()
     }

@@ -191,7 +191,7 @@ struct MeasureStatistics {
 }
 
 impl MeasureStatistics {
-    /// Of rows of measures.
+    /// Computes mean and covariance of rows of measures.
     fn from_rows(rows: &[Vec<f64>]) -> Self {
         let width = rows.first().map_or(0, Vec::len);
         let count = rows.len().max(1) as f64;

@@ -10,7 +10,7 @@ use raconteur_faces::Editor;
 
 use crate::{parallel, terminal};
 
-/// Skin of a model with coincident vertices merged.
+/// Skin mesh of a face model with coincident vertices merged, used to find self-intersections.
 pub(super) struct WeldedSkin {
     /// Representative vertex of each vertex.
     of: Vec<u32>,
@@ -18,7 +18,7 @@ pub(super) struct WeldedSkin {
 }
 
 impl WeldedSkin {
-    /// That of triangles over the vertices of a shape.
+    /// Merges coincident vertices of a shape and drops triangles that become degenerate.
     pub(super) fn weld(shape: &[f64], triangles: &[[u32; 3]]) -> Self {
         let mut places: BTreeMap<[u64; 3], u32> = BTreeMap::new();
         let of: Vec<u32> = (0u32..)

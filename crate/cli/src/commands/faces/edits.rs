@@ -43,7 +43,7 @@ pub(super) struct Edits {
     detail: Option<f64>,
 }
 
-/// An argument without its region, and that region.
+/// Splits an argument into its text and the region after `@`.
 fn split<'a>(editor: &Editor, argument: &'a str) -> Result<(&'a str, Region)> {
     let (what, place) = argument.rsplit_once('@').unwrap_or((argument, ""));
     let (names, half) = place.split_once('/').unwrap_or((place, ""));
@@ -62,7 +62,7 @@ fn split<'a>(editor: &Editor, argument: &'a str) -> Result<(&'a str, Region)> {
     Ok((what, region))
 }
 
-/// Three numbers.
+/// Parses three finite numbers separated by commas.
 fn three(text: &str) -> Result<[f64; 3]> {
     let all: Vec<f64> = text
         .split(',')
@@ -87,7 +87,7 @@ fn number(text: &str) -> Result<f64> {
 }
 
 impl Edits {
-    /// The face.
+    /// Returns the face that the options choose, with their edits applied.
     pub(super) fn face(&self, editor: &Editor) -> Result<Face> {
         let mut face = match (self.seed, self.face) {
             (Some(seed), _) => editor.random(seed),
@@ -141,7 +141,7 @@ impl Edits {
             ..Affine::NONE
         })?;
         apply(&self.moves, &|way| Affine {
-            way_m: way.map(|mm| mm * 1e-3),
+            translation_m: way.map(|mm| mm * 1e-3),
             ..Affine::NONE
         })
     }

@@ -13,7 +13,7 @@ use raconteur_sculpt::{FigureParams, people};
 use crate::commands::figure::bind::MODEL;
 use crate::{Outcome, parallel, terminal};
 
-/// Selection of random heads.
+/// Selection of random heads: their number, seed and body model.
 #[derive(Args)]
 pub(super) struct Crowd {
     /// Number of heads.
@@ -59,7 +59,7 @@ impl Crowd {
         Ok(made)
     }
 
-    /// The body model.
+    /// Opens the body model from which the heads are generated.
     pub(super) fn model(&self) -> Result<Model> {
         Ok(Model::open(&self.model)?)
     }

@@ -194,7 +194,7 @@ fn with_local(space: &FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
     Ok(all)
 }
 
-/// The share of labels' variance that an attribute explains.
+/// Returns the share of the labels' variance that an attribute explains, 0 to 1.
 fn explained_variance(
     space: &FaceSpace,
     attribute: &Attribute,
@@ -241,7 +241,7 @@ fn look_weights(examples: &[Example]) -> Vec<f64> {
         .collect()
 }
 
-/// The least number of modes that explains a share of the variance.
+/// Returns the minimum number of modes that explains a share of the variance.
 fn required_modes(errors: &[f64], explains: f64) -> usize {
     let all = errors[0] * errors[0];
     let is_enough = |error: &f64| error * error <= (1.0 - explains) * all;
@@ -323,8 +323,8 @@ fn shape_model(shape: FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
     with_features(model, &measures)
 }
 
-/// The most usual of heads in which no skin passes through skin: that which is nearest to the average. A mean of
-/// heads need not be one.
+/// Returns the head nearest to the average whose skin does not intersect itself. The mean of heads
+/// need not have that property.
 fn reference(space: &FaceSpace, shapes: &[Vec<f64>], triangles: &[[u32; 3]]) -> Vec<f64> {
     let far = |shape: &Vec<f64>| -> f64 {
         let pairs = shape.iter().zip(space.mean());
@@ -351,7 +351,7 @@ fn people(examples: &[Example]) -> Vec<PersonRecord> {
     examples.iter().map(person).collect()
 }
 
-/// The features of shape as they are measured.
+/// Returns the measurable shape features of faces, with their segments and units from the examples.
 fn measures(examples: &[Example]) -> Result<Vec<FeatureMeasure>> {
     let average = Example::average(examples).context("a head")?;
     let features = LABELS.iter().filter_map(|l| Some((l, l.segments()?)));

@@ -8,7 +8,7 @@ use raconteur_reshape::{Hair, HairDonor, HairDonors, Look, NewFace, NewOrgans, R
 
 use crate::assets;
 
-/// Figure that accepts faces.
+/// Bundled figure on which faces of a model are put, with donors of hair and beards.
 pub(super) struct PutOn {
     reshaper: Reshaper,
     name: String,
@@ -25,7 +25,7 @@ impl PutOn {
         })
     }
 
-    /// Has hair of the library lent, by its name.
+    /// Loads hair of the library by name, so that the figure can wear it.
     pub(super) fn load_hair(&mut self, model: &FaceModel, name: &str) -> Result<()> {
         let glb = assets::read(&format!("hair/{name}.glb"))?;
         let lender = HairDonor::new(&read_figure(name, &glb)?, model.vertices())?;
@@ -33,12 +33,12 @@ impl PutOn {
         Ok(())
     }
 
-    /// The figure with a face.
+    /// Returns the figure with a face and its own hair.
     pub(super) fn figure(&self, editor: &Editor, face: &Face) -> Result<Figure> {
         self.with_hair(editor, face, &Look::default())
     }
 
-    /// The figure with a face and hair and a beard that are lent, or its own where a name is empty.
+    /// Returns the figure with a face and loaded hair and beard; an empty name keeps its own.
     pub(super) fn dressed(
         &self,
         editor: &Editor,

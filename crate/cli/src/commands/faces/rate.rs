@@ -36,7 +36,7 @@ impl Rate {
     }
 }
 
-/// A pack that `faces learn` wrote.
+/// Reads a pack written by `faces learn`.
 fn read(pack: &Path) -> Result<FaceModel> {
     super::pack::read(pack)
 }

@@ -27,9 +27,9 @@ enum FaceChoice {
     Random,
     /// Faces of the database.
     Database,
-    /// Each attribute at −1, 0 and 1.
+    /// Each attribute of the face at −1, 0 and 1.
     Attributes,
-    /// Each segment of a random face on the average one.
+    /// Each segment of a random face, put on the average face.
     Segments,
     /// The face at ages from 10 to 80.
     Ages,
@@ -58,7 +58,7 @@ pub(super) struct Sheet {
     /// Number of the first of them.
     #[arg(long, default_value_t = 0)]
     first: usize,
-    /// Only this attribute.
+    /// Show only this attribute.
     #[arg(long)]
     attribute: Option<String>,
     /// Views of each face.
@@ -154,7 +154,7 @@ impl Sheet {
         }
     }
 
-    /// Every attribute three times, changed from the face as a user would.
+    /// Returns the face with every attribute added at −1, 0 and 1, as a user would change it.
     fn attributes(&self, editor: &Editor, base: &Face) -> Result<Vec<Named>> {
         let mut out = Vec::new();
         for name in names(editor) {

@@ -53,7 +53,7 @@ impl Bind {
             writeln!(
                 out,
                 "{:16} {:8.2} {:8.2} {:8.2} {:8}",
-                d.region, d.rms_mm, d.p95_mm, d.most_mm, d.count
+                d.region, d.rms_mm, d.p95_mm, d.max_mm, d.count
             )?;
         }
         writeln!(out, "{}", self.output.display())?;

@@ -39,7 +39,7 @@ enum Layer {
     Skin,
     /// Skull, jaw, hands and the rest of the skeleton.
     Bones,
-    /// Both.
+    /// Skin and bones.
     All,
 }
 
@@ -82,7 +82,8 @@ impl Export {
     }
 }
 
-/// The figure as glTF with its joints placed in a pose; the skin's bind pose stays.
+/// Returns the figure as GLB with its joints placed in a pose; the bind pose of the skin is
+/// unchanged.
 fn posed_glb(figure: &Figure, pose: PoseName) -> Result<Vec<u8>> {
     let glb = write::to_glb(figure);
     if pose == PoseName::Bind {

@@ -54,7 +54,7 @@ impl Fit {
                 aim.measure.name(),
                 aim.before,
                 aim.after,
-                aim.wanted
+                aim.target
             )?;
         }
         writeln!(out, "{}", self.output.display())?;

@@ -87,7 +87,7 @@ impl Measure {
         Ok(Outcome::Fine)
     }
 
-    /// The figure with its names, and its parameters where it is one of the named.
+    /// Returns the figure with its landmarks and segments, and its parameters if it is a preset.
     fn load(&self) -> Result<(AnnotatedFigure, Option<FigureParams>)> {
         if let Some(params) = people::preset(&self.figure) {
             let built = raconteur_sculpt::build(&params);

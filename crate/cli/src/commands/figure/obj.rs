@@ -7,8 +7,8 @@ use raconteur_body::{Figure, MaterialKind, Mesh};
 use crate::sheet::PosedFigure;
 use crate::skinning::{Skinned, skin, world_from_bind};
 
-/// The posed figure, one object for each mesh; metres, y up. Colours follow the positions
-/// (a common extension), linear RGB.
+/// Returns the posed figure as OBJ text, one object per mesh; metres, y up. Linear RGB colours
+/// follow the positions (a common extension).
 pub(super) fn write(figure: &Figure, posed: &PosedFigure) -> String {
     let matrices = world_from_bind(figure, &posed.world_from_joint);
     let mut out = format!("# {}, made by raconteur; metres, y up\n", figure.name);

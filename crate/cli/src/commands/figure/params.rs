@@ -17,7 +17,7 @@ use crate::{Outcome, terminal};
 /// Print the description of a figure of the library, as JSON.
 #[derive(Args)]
 pub(super) struct Params {
-    /// Its name.
+    /// Name of the figure.
     name: String,
 }
 
@@ -29,7 +29,7 @@ impl Params {
     }
 }
 
-/// The parameters of a figure of the library.
+/// Returns the parameters of a figure of the library.
 pub(super) fn preset(name: &str) -> Result<FigureParams> {
     people::preset(name).with_context(|| {
         let known = people::NAMES.join(", ");
@@ -150,7 +150,7 @@ fn check(params: &FigureParams) -> Result<()> {
 mod tests {
     use super::*;
 
-    /// Of a text that needs no body model.
+    /// Parses test parameters that need no body model.
     fn parse(text: &str) -> Result<FigureParams> {
         super::parse(text, Path::new("nowhere"))
     }

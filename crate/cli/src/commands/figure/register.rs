@@ -32,8 +32,8 @@ impl Register {
             terminal::out(),
             "{}: {} places found, {} kept, moved by {mean:.2} mm in the mean, {most:.2} mm at most",
             self.output.display(),
-            found.found,
-            found.kept
+            found.found_points,
+            found.used_points
         )?;
         Ok(Outcome::Fine)
     }

@@ -7,7 +7,7 @@ use crate::schema::lookup::same;
 use crate::schema::{Attribute, Element, TIMED};
 use std::cell::Cell;
 
-/// The attributes of one element, found in the table. Values are read on demand
+/// Attributes of one element, matched with the schema table. Values are parsed on demand
 /// (`values.rs`).
 pub(crate) struct Fields<'t> {
     pub(crate) element: &'static Element,
@@ -16,7 +16,7 @@ pub(crate) struct Fields<'t> {
     /// The name in the start tag.
     pub(crate) name: Span,
     pub(in crate::schema) attributes: &'t [markup::Attribute<'t>],
-    /// For each attribute of the table its index in `attributes`.
+    /// Index in `attributes` of each attribute of the table.
     pub(super) slots: [u16; MAX_ATTRIBUTES],
     /// Number of the element's attributes in the table.
     pub(super) count: usize,
@@ -42,7 +42,7 @@ impl<'t> Fields<'t> {
         self.get(name).is_some_and(|(_, written)| written.is_some())
     }
 
-    /// The entry of an attribute and how it is written, when it is.
+    /// Returns the table entry of an attribute and its written form, if present.
     pub(in crate::schema) fn get(
         &self,
         name: &str,

@@ -3,7 +3,7 @@
 use super::MAX_REQUIRED;
 use crate::schema::Element;
 
-/// Count of an element's children up to now.
+/// Number of children of an element up to now, by kind; detects missing and excessive ones.
 pub(crate) struct Tally {
     pub(super) parent: &'static Element,
     /// The elements whose number is limited: few, so the first ones need no allocation.

@@ -432,7 +432,7 @@ impl Visit for Filler<'_> {
         let mut have = 0;
         for element in ELEMENTS.iter().filter(|e| e.parents.contains(&parent.name)) {
             let required = parent.required_children.contains(&element.name);
-            let most = element.most_per_parent.map_or(3, |n| n as usize);
+            let most = element.max_per_parent.map_or(3, |n| n as usize);
             let count = self.dice.below(most + 1).max(usize::from(required));
             for _ in 0..count {
                 let Some(child) = list.add(element.name) else {

@@ -29,7 +29,7 @@ mr m ih s t axr|mrs m ih s ax z|dr d aa k t axr|animal ae n ax m ax l|able ey b 
 b b iy|c s iy|d d iy|g jh iy|k k ey|l eh l|m eh m|n eh n|p p iy|q k y uw|r aa r|s eh s|t t iy|u y uw|v v iy|w d ah b ax l y uw|x eh k s|z z iy
 ";
 
-/// Its rules. `%` is an ending: -e, -es, -ed, -er, -ers, -ing, -ings, -ely.
+/// Letter-to-sound rules of English. `%` is an ending: -e, -es, -ed, -er, -ers, -ing, -ings, -ely.
 pub(super) const RULES: &str = "
 [augh]t ao|[augh] ae f|[ait] ey t|[air] eh r|[ware] w eh r|[ai] ey|[ay] ey|[au] ao|_[aw]a ax w|_[awh] ax w|[aw] ao|[ah] aa|[ae] iy
 S[ally]_ ax l iy|[all] ao l|[alk] ao k|[alm] aa m|[alf] ae f|S[al]_ ax l|S[als]_ ax l z|[al]C ao l

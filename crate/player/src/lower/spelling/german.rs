@@ -8,7 +8,7 @@ vor f uw ah|vase v aa z ax|obst uw p s t|erst ih ah s t|erste ih ah s t ax|mond 
 am aa m|im ih m|um uh m|gehört g ax hh uw ah t|gestern g eh s t ah n|bis b ih s|computer k ao m p y uw t ah|baby b ey b iy|okay ao k ey
 ";
 
-/// Its rules.
+/// Letter-to-sound rules of German.
 pub(super) const RULES: &str = "
 [aa] aa|[ah] aa|[ai] ay|[ay] ay|[au] aw|[äu] oy|[ä] eh|[a] aa
 [b] b|[chs] k s|a[ch] k|o[ch] k|u[ch] k|_[ch]C k|_[cha] k aa|_[cho] k ao|[ch] y|[ck] k|[c]F s|[c] k|[dt] t|[d] d

@@ -17,7 +17,7 @@ pub(super) const RULES: &str = "
 const MARKED: &str = "aàáâãäåāăą cçćčĉċ dď eèéêëēėęě gğĝģġ hĥ iìíîïīįĩ jĵ kķ lĺľļ nñńňņ oòóôõöōőŏ rŕřŗ sśšşșŝ tťţț \
      uùúûüūůűųŭũ wŵ yýÿŷ zźżž";
 
-/// A letter without its marks.
+/// Returns a letter without its diacritical marks.
 pub(super) fn bare(letter: char) -> char {
     if letter.is_ascii() {
         return letter;
@@ -26,7 +26,8 @@ pub(super) fn bare(letter: char) -> char {
     group.and_then(|g| g.chars().next()).unwrap_or(letter)
 }
 
-/// The letter that a letter and a combining mark behind it make, of those that have rules.
+/// Returns the precomposed letter for a letter and a combining mark, if spelling rules use it;
+/// otherwise `None`.
 pub(super) fn composed(letter: char, mark: char) -> Option<char> {
     const MADE: [(char, &str, &str); 6] = [
         ('\u{300}', "a", "à"),

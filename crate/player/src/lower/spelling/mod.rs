@@ -30,16 +30,18 @@ struct Rule {
     phones: &'static str,
 }
 
-/// The rules of a language.
+/// Letter-to-sound rules of a language; gives the phones of words without recorded speech, for lip
+/// motion.
 pub(crate) struct Speller {
-    /// By their first letter; the longest first.
+    /// Rules sorted by their first letter, the longest first.
     rules: Vec<Rule>,
     /// Letters with marks that have rules of their own.
     marked: &'static str,
 }
 
 impl Speller {
-    /// For a BCP 47 tag, by its primary subtag; English where no language is known.
+    /// Returns the rules for a BCP 47 tag by its primary subtag; English if the language is
+    /// unknown.
     pub(crate) fn from_language_tag(tag: Option<&str>) -> Self {
         let tag = tag.unwrap_or("en").to_ascii_lowercase();
         let (primary, region) = tag.split_once(['-', '_']).unwrap_or((&tag, ""));
@@ -65,7 +67,7 @@ impl Speller {
         Self { rules, marked }
     }
 
-    /// The phones of a word, of the set `radio`: one or more, [`MAX_PHONES`] at most.
+    /// Returns the phones of a word in the phone set `radio`, one to [`MAX_PHONES`].
     pub(crate) fn spell(&self, word: &str) -> Vec<&'static str> {
         let word = self.letters(word);
         let mut phones = Vec::new();
@@ -135,12 +137,12 @@ impl Rule {
     }
 }
 
-/// The rules of a table, as they are written.
+/// Returns the rules of a table as written.
 fn entries(table: &'static str) -> impl Iterator<Item = &'static str> {
     table.split(['|', '\n']).filter(|entry| !entry.is_empty())
 }
 
-/// A rule as it is written.
+/// Parses a rule of the form `before[letters]after phones`; `None` if it is malformed.
 fn rule(entry: &'static str) -> Option<Rule> {
     let (before, rest) = entry.split_once('[')?;
     let (letters, rest) = rest.split_once(']')?;
@@ -153,7 +155,7 @@ fn rule(entry: &'static str) -> Option<Rule> {
     })
 }
 
-/// A whole word and its phones.
+/// Parses an exception entry: a whole word and its phones.
 fn word(entry: &'static str) -> Option<Rule> {
     let (letters, phones) = entry.split_once(' ')?;
     Some(Rule {
@@ -164,7 +166,7 @@ fn word(entry: &'static str) -> Option<Rule> {
     })
 }
 
-/// The letter that a rule begins with.
+/// Returns the first letter that a rule matches.
 fn first(rule: &Rule) -> Option<char> {
     rule.letters.chars().next()
 }
@@ -202,7 +204,7 @@ fn fits_before(context: &str, word: &[char]) -> bool {
     true
 }
 
-/// The letters of the same word before here, backwards.
+/// Returns the preceding letters of the same word, backwards.
 fn stem(word: &[char]) -> impl Iterator<Item = char> {
     let letters = word.iter().rev().copied();
     letters.take_while(|c| c.is_alphabetic())

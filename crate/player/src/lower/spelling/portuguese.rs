@@ -7,7 +7,8 @@ e iy|o uh|os uh sh|a ah|as ah sh|ao aw|aos aw sh|um uw|uns uw sh|muito m uw iy t
 eu eh w|ou ow|mãe m ay|pela p ix l ah|pelo p ix l uh|por p uh dx|cinquenta s iy k w eh t ah
 ";
 
-/// Its rules. The stress is on one of the last two syllables: a vowel before `T` is weak.
+/// Letter-to-sound rules of Portuguese. The stress is on one of the last two syllables; a vowel
+/// before `T` is weak.
 pub(super) const RULES: &str = "
 [ão] aw|[ãe] ay|[ã] ah|[am]_ aw|[á] aa|[à] aa|[â] ah|[ai] ay|[ái] ay|[au] aw|[a] aa
 [b] b|[ch] sh|[c]F s|[ç] s|[cç] s|[cc]F s|[c] k|[d] d

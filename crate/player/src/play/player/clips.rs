@@ -10,7 +10,7 @@ use crate::lower::plan::ScriptPlan;
 use crate::lower::requirements::Requirements;
 use crate::play::crossfade::ActorCrossfade;
 
-/// The animations that a player has.
+/// Animations available to a player, and the names of missing ones.
 #[derive(Default)]
 pub(super) struct Animations {
     pub(super) library: Library,
@@ -61,7 +61,7 @@ fn is_xml(text: &str) -> bool {
     text.trim_start().starts_with('<')
 }
 
-/// The file of an animation, if its name ended so.
+/// Returns the name of an animation's file with this extension, replacing a known one.
 fn with_ending(name: &str, ending: &str) -> String {
     let stem = ["xml", "json"]
         .iter()
@@ -83,7 +83,7 @@ impl Player {
             } => Some(name.clone()),
             _ => None,
         };
-        let plans = self.score.plans();
+        let plans = self.scripts.plans();
         let bodies = plans.clone().flat_map(|p| p.players.iter());
         let bodies = bodies
             .filter_map(played)
@@ -106,7 +106,7 @@ impl Player {
     /// the rest plays. Animations that arrive during playback ease in.
     pub fn provide_animations(&mut self, clips: &[(&str, Option<&str>)]) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
-        let plans = self.score.plans();
+        let plans = self.scripts.plans();
         let parameters: Vec<String> = plans
             .flat_map(|p| p.face.parameter_animations.clone())
             .collect();
@@ -142,16 +142,16 @@ impl Player {
     /// Times, lowers and rehearses the story again, now that more animations are known.
     fn rebuild_performance(&mut self) {
         self.script.retime(&self.animations.library);
-        self.score.story = ScriptPlan::new(&self.script, &self.cast, 0, None);
-        self.picture.retell(&self.score.story);
+        self.scripts.story = ScriptPlan::new(&self.script, &self.cast, 0, None);
+        self.shots.retell(&self.scripts.story);
         self.direct();
         let (actor, needs) = self.rehearse();
         let passed_secs = self.clock.passed_secs();
-        if passed_secs < 0.0 && self.score.live.plans().next().is_none() {
-            self.layers = ActorCrossfade::new(actor, needs, self.cast.morphs());
+        if passed_secs < 0.0 && self.scripts.live.plans().next().is_none() {
+            self.actors = ActorCrossfade::new(actor, needs, self.cast.morphs());
         } else {
-            let from_secs = passed_secs.max(self.layers.last_change_secs());
-            self.layers.change(from_secs.max(0.0), actor, needs);
+            let from_secs = passed_secs.max(self.actors.last_change_secs());
+            self.actors.change(from_secs.max(0.0), actor, needs);
         }
         self.forget_motion();
     }

@@ -29,7 +29,8 @@ const TURN_SECS: f64 = 0.6;
 /// Waiting time after which it restarts, seconds: a day.
 const MAX_SECS: f64 = 86_400.0;
 
-/// Behaviour of the waiting figure.
+/// Figure that waits before the story or for an answer: it breathes, blinks and looks at the
+/// viewer, on its own clock.
 pub(super) struct IdleBehaviour {
     actor: Actor,
     /// Previous actor with another gaze target, and the waiting time at which it was replaced,
@@ -51,7 +52,7 @@ pub(super) struct IdleBehaviour {
     room: EvaluatedPose,
     /// Buffer for the previous pose.
     spare: EvaluatedPose,
-    /// Its hair, if that swings.
+    /// Swinging hair of the figure; `None` if it has none.
     sway: Option<SwingingParts>,
 }
 
@@ -165,9 +166,9 @@ impl Player {
 
     /// Seeks like [`Player::seek`], but fades from the waiting behaviour into the story.
     pub fn seek_with_fade(&mut self, time_secs: f64) {
-        let welcome = self.welcome.take();
+        let welcome = self.idle.take();
         self.seek(time_secs);
-        self.welcome = welcome;
+        self.idle = welcome;
     }
 
     fn evaluate_at_rest(
@@ -182,7 +183,7 @@ impl Player {
         } else {
             0.0
         };
-        let kept = self.welcome.take().filter(|w| w.asked_secs == asked_secs);
+        let kept = self.idle.take().filter(|w| w.asked_secs == asked_secs);
         let mut welcome = match kept {
             Some(welcome) => welcome,
             None => Box::new(self.prepare_welcome(asked_secs)),
@@ -200,11 +201,11 @@ impl Player {
         self.frame.time_secs = asked_secs.unwrap_or(0.0);
         self.frame.speech = None;
         self.light(self.frame.time_secs);
-        self.frame.shown = self.picture.visibility(self.frame.time_secs);
+        self.frame.visibility = self.shots.visibility(self.frame.time_secs);
         self.frame.handles.clear();
         self.draw_tissue();
         self.frame.camera = self.camera(aspect);
-        self.welcome = Some(welcome);
+        self.idle = Some(welcome);
         &self.frame
     }
 
@@ -212,8 +213,8 @@ impl Player {
     fn show_waiting(&mut self, welcome: &mut IdleBehaviour) {
         let waited_secs = welcome.waited_secs;
         let (skeleton, face) = (&self.cast.figure.skeleton, &self.cast.face);
-        let layers = &mut self.layers;
-        let room = &mut self.room;
+        let layers = &mut self.actors;
+        let room = &mut self.scratch;
         // The weight of the idle figure, and the story time before it.
         let asked = |t: f64, asked_secs: Option<f64>| {
             let share = minimum_jerk(t / TURN_SECS);
@@ -250,7 +251,7 @@ impl Player {
         if let Some(tissue) = &self.cast.figure.tissue {
             let controls = |t: f64| match asked(t, welcome.asked_secs) {
                 Some((at, share)) => self
-                    .layers
+                    .actors
                     .controls(at)
                     .lerp(&welcome.face_controls(t), share),
                 None => welcome.face_controls(t),
@@ -263,7 +264,7 @@ impl Player {
     /// Returns an actor that waits and looks at a position, or at the viewer.
     fn waiting_actor(&self, looked_at: Option<DVec3>) -> Actor {
         let stature_m = self.cast.figure.skeleton.stature_m();
-        let room = self.layers.last_margin();
+        let room = self.actors.last_margin();
         let listener = self
             .options
             .shot
@@ -289,7 +290,7 @@ impl Player {
             asked_secs,
             soft: tissue.map(SoftFace::new),
             moved: self
-                .layers
+                .actors
                 .actor()
                 .world_from_figure(asked_secs.unwrap_or(0.0)),
             waited_secs: 0.0,
@@ -305,7 +306,7 @@ impl Player {
 
     /// Begins to leave the welcome, if the figure waits, and forgets it when it has faded.
     pub(super) fn leave_welcome(&mut self, time_secs: f64) {
-        let Some(welcome) = &mut self.welcome else {
+        let Some(welcome) = &mut self.idle else {
             return;
         };
         let begins = welcome.left_secs.is_none();
@@ -320,7 +321,7 @@ impl Player {
 
     /// Removes the welcome.
     pub(super) fn forget_welcome(&mut self) {
-        if self.welcome.take().is_some() {
+        if self.idle.take().is_some() {
             self.forget_motion();
         }
     }

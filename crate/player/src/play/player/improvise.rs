@@ -16,19 +16,19 @@ impl Player {
     pub fn perform(&mut self, mind: u32, fragment: &str, now_secs: f64) -> FragmentOutcome {
         let now_secs = story_secs(now_secs);
         if is_interrupt(fragment) {
-            let mut performed = self.score.live.admit_interrupt(mind, now_secs);
+            let mut performed = self.scripts.live.admit_interrupt(mind, now_secs);
             if performed.interrupts {
                 performed.cut_secs = self.interrupt(now_secs);
             }
             return performed;
         }
-        let base_secs = self.layers.next_change_secs(now_secs);
+        let base_secs = self.actors.next_change_secs(now_secs);
         let scene = LiveContext {
             cast: &self.cast,
             library: &self.animations.library,
             script: &self.script,
-            story: &self.score.story,
-            actor: self.layers.actor(),
+            story: &self.scripts.story,
+            actor: self.actors.actor(),
         };
         let fragment = FragmentText {
             mind,
@@ -36,11 +36,11 @@ impl Player {
             now_secs,
             base_secs,
         };
-        let performed = self.score.live.admit(&fragment, &scene);
+        let performed = self.scripts.live.admit(&fragment, &scene);
         if !performed.clauses.is_empty() {
             self.change_over(base_secs);
-            if let Some(joined) = self.score.live.plans().last() {
-                self.picture.join(&joined.geometry);
+            if let Some(joined) = self.scripts.live.plans().last() {
+                self.shots.join(&joined.geometry);
             }
         }
         performed
@@ -55,13 +55,13 @@ impl Player {
     pub fn interrupt(&mut self, now_secs: f64) -> Option<f64> {
         let told_secs = self.clock.reported_secs();
         let now_secs = story_secs(now_secs).max(told_secs);
-        let at_secs = self.layers.next_change_secs(now_secs);
-        let (story, actor) = (&self.score.story, self.layers.actor());
-        let live = &mut self.score.live;
+        let at_secs = self.actors.next_change_secs(now_secs);
+        let (story, actor) = (&self.scripts.story, self.actors.actor());
+        let live = &mut self.scripts.live;
         if !live.interrupt(at_secs, told_secs, story, actor) {
             return None;
         }
-        self.picture.interrupt(at_secs);
+        self.shots.interrupt(at_secs);
         self.change_over(at_secs);
         Some(at_secs)
     }
@@ -70,18 +70,18 @@ impl Player {
     fn change_over(&mut self, from_secs: f64) {
         self.direct();
         let (actor, needs) = self.rehearse();
-        self.layers.change(from_secs, actor, needs);
+        self.actors.change(from_secs, actor, needs);
         self.forget_motion();
     }
 
     /// Returns true if a mind may send a fragment at a story time without exceeding its rate limit.
     #[must_use]
     pub fn has_room(&self, mind: u32, now_secs: f64) -> bool {
-        self.score.live.has_room(mind, now_secs)
+        self.scripts.live.has_room(mind, now_secs)
     }
 }
 
-/// A time as a story has times.
+/// Returns a valid story time: at least 0; 0 if it is not finite.
 fn story_secs(secs: f64) -> f64 {
     if secs.is_finite() { secs.max(0.0) } else { 0.0 }
 }

@@ -6,22 +6,23 @@ use raconteur_stage::{Angle, CurrentSpeech, EmotionType, Illumination, Mood, Sho
 
 use super::{Manipulator, Player};
 
-/// Expression of emotions by the environment at a time (GEVH 3.5.4).
+/// Emotion that the environment expresses at a time, with the resulting camera, light and music
+/// (GEVH 3.5.4).
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnvironmentExpression {
     /// Strongest emotion, if any.
     pub emotion: Option<&'static EmotionType>,
-    /// Its potential, 0 to 10.
+    /// Potential (strength) of the emotion, 0 to 10.
     pub potential: f64,
     /// Current intensity, 0 to 10.
     pub intensity: f64,
     /// Current or destination shot.
     pub shot: Shot,
-    /// From where.
+    /// Vertical camera angle of the shot.
     pub angle: Angle,
     /// Change of the light.
     pub light: Illumination,
-    /// The mood.
+    /// Mood that drives the music.
     pub mood: Mood,
     /// Files of the audible music.
     pub music: Vec<String>,
@@ -31,8 +32,8 @@ impl Player {
     /// Returns the environment's expression of emotions at a time.
     #[must_use]
     pub fn environment_expression(&self, time_secs: f64) -> EnvironmentExpression {
-        let felt = self.feelings.strongest(time_secs, None);
-        let take = self.picture.shots().sample(time_secs);
+        let felt = self.emotions.strongest(time_secs, None);
+        let take = self.shots.shots().sample(time_secs);
         let music = self.music().into_iter();
         let heard = music.filter(|cue| cue.level_at(time_secs) > 0.0);
         EnvironmentExpression {
@@ -41,8 +42,8 @@ impl Player {
             intensity: felt.map_or(0.0, |f| f.intensity_at(time_secs)),
             shot: take.shot,
             angle: take.angle,
-            light: self.picture.illumination(time_secs),
-            mood: self.feelings.mood(time_secs),
+            light: self.shots.illumination(time_secs),
+            mood: self.emotions.mood(time_secs),
             music: heard.map(|cue| cue.file).collect(),
         }
     }
@@ -50,10 +51,10 @@ impl Player {
     /// Returns the start and length of each shot requested by an emotion, story seconds; the length
     /// lasts until emotions change it.
     pub(crate) fn emotion_shots(&self) -> Vec<(f64, f64)> {
-        let takes = self.picture.shots().later().windows(2);
+        let takes = self.shots.shots().later().windows(2);
         let lengths = takes.filter_map(|pair| {
             let [take, next] = pair else { return None };
-            let led = take.is_felt || next.is_felt;
+            let led = take.is_by_emotion || next.is_by_emotion;
             (led && !next.is_written)
                 .then_some((take.start_secs, next.start_secs - take.start_secs))
         });
@@ -63,16 +64,16 @@ impl Player {
     /// Returns true if an emotion has set the shot held from one time to another; `None` if the
     /// camera changes shots.
     pub(crate) fn sustained_shot(&self, from_secs: f64, to_secs: f64) -> Option<bool> {
-        let shots = self.picture.shots();
+        let shots = self.shots.shots();
         let take = shots.sample(to_secs);
         let is_kept = take == shots.sample(from_secs) && !shots.moves(from_secs);
-        is_kept.then_some(take.is_felt)
+        is_kept.then_some(take.is_by_emotion)
     }
 
     /// Returns the utterance and word audible at a time; of several, the last to begin.
     #[must_use]
     pub fn speech_at(&self, time_secs: f64) -> Option<CurrentSpeech> {
-        let (index, cue) = self.score.utterance_at(time_secs)?;
+        let (index, cue) = self.scripts.utterance_at(time_secs)?;
         let timed = &cue.timed;
         let words = &timed.utterance.words;
         let word = words
@@ -105,20 +106,20 @@ impl Player {
     /// Returns world from figure axes at a time, following the moves in the script.
     #[must_use]
     pub fn world_from_figure(&self, time_secs: f64) -> DAffine3 {
-        let moved = self.layers.actor().world_from_figure(time_secs);
+        let moved = self.actors.actor().world_from_figure(time_secs);
         moved.unwrap_or(DAffine3::IDENTITY)
     }
 
     /// Returns true if the script cuts a limb to other joints after one time and up to another,
     /// story time.
     pub(crate) fn cuts_between(&self, after_secs: f64, to_secs: f64) -> bool {
-        self.layers.actor().cuts_between(after_secs, to_secs)
+        self.actors.actor().cuts_between(after_secs, to_secs)
     }
 
     /// Returns the starts of a hand's strokes, story time, and the first wrist position of each,
     /// limited to reach, in the axes of the figure ([`Player::world_from_figure`]), metres.
     pub fn strokes(&self, side: Side) -> Vec<(f64, DVec3)> {
-        let keys = self.layers.actor().plan(side).keys().iter();
+        let keys = self.actors.actor().plan(side).keys().iter();
         keys.filter(|k| k.begins_stroke)
             .filter_map(|k| Some((k.time_secs, k.wrist_in_world?)))
             .collect()
@@ -127,18 +128,18 @@ impl Player {
     /// Returns true if the script positions a hand at a time, story time, while its shots make room
     /// for hands.
     pub(crate) fn is_in_seen_stroke(&self, side: Side, time_secs: f64) -> bool {
-        if !self.picture.shots().makes_room(time_secs) {
+        if !self.shots.shots().makes_room(time_secs) {
             return false;
         }
-        let mut strokes = self.score.plans().flat_map(|p| &p.strokes[side.index()]);
+        let mut strokes = self.scripts.plans().flat_map(|p| &p.strokes[side.index()]);
         strokes.any(|s| {
             let goes = s.keys.iter().any(|k| k.wrist_in_world.is_some());
             goes && (s.start_secs..=s.end_secs).contains(&time_secs)
         })
     }
 
-    /// FNV-1a (64 bits) over the bits of every joint's transform, every morph weight and every
-    /// node of the face at a time, little-endian: equal digests mean equal poses to the last bit.
+    /// Returns the 64-bit FNV-1a hash over the bits of all joint transforms, morph weights and
+    /// tissue nodes at a time, little-endian; equal digests mean bit-identical poses.
     pub fn digest(&mut self, time_secs: f64) -> u64 {
         self.forget_welcome();
         self.evaluate(time_secs);

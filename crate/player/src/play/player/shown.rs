@@ -25,7 +25,7 @@ impl Player {
     pub(crate) fn camera(&self, aspect: f64) -> Camera {
         let time_secs = self.frame.time_secs;
         // The figure's scripted position; the camera does not follow its sway.
-        let moved = self.layers.actor().world_from_figure(time_secs);
+        let moved = self.actors.actor().world_from_figure(time_secs);
         let stature_m = self.cast.figure.skeleton.stature_m();
         let subject = FramedFigure {
             floor_in_world: moved.map_or(DVec3::ZERO, |m| m.translation.with_y(0.0)),
@@ -37,23 +37,23 @@ impl Player {
         let held = aspect - 0.5 * aside_in(aspect, aside).abs();
         let room = |rest| FramingMargin {
             aside,
-            ..self.layers.margin_at(time_secs, rest, stature_m, held)
+            ..self.actors.margin_at(time_secs, rest, stature_m, held)
         };
-        self.picture.camera(time_secs, aspect, &subject, room)
+        self.shots.camera(time_secs, aspect, &subject, room)
     }
 
     /// Evaluates in order: time, body and face, joints, audio, image.
     pub(super) fn evaluate(&mut self, time_secs: f64) -> EvaluationReport {
         let t = self.clock.shown_secs(time_secs, self.end_secs());
         self.frame.time_secs = t;
-        let report = self.layers.evaluate(
+        let report = self.actors.evaluate(
             &self.cast.figure.skeleton,
             &self.cast.face,
             t,
             &mut self.pose,
             &mut self.frame.morph_weights,
         );
-        if let Some(welcome) = &mut self.welcome {
+        if let Some(welcome) = &mut self.idle {
             let weights = &mut self.frame.morph_weights;
             welcome.blend(
                 &self.cast.figure.skeleton,
@@ -70,30 +70,32 @@ impl Player {
         self.swing(t);
         if let (Some(tissue), Some(soft)) = (&self.cast.figure.tissue, &mut self.soft) {
             let controls = |t: f64| {
-                let controls = self.layers.controls(t);
-                let welcome = self.welcome.as_ref();
+                let controls = self.actors.controls(t);
+                let welcome = self.idle.as_ref();
                 welcome.map_or(controls, |w| w.controls(t, &controls))
             };
             soft.advance_to(tissue, t, &controls, &mut self.frame.tissue);
         }
         self.frame.speech = self.speech_at(t);
         self.light(t);
-        let arousal = self.layers.actor().arousal(t);
+        let arousal = self.actors.actor().arousal(t);
         self.frame.pupil_mm = pupil::diameter_mm(&self.frame.lighting, arousal, t);
-        self.frame.shown = self.picture.visibility(t);
+        self.frame.visibility = self.shots.visibility(t);
         self.draw_tissue();
         self.frame.handles.clear();
-        self.frame.handles.extend(report.led.into_iter().flatten());
+        self.frame
+            .handles
+            .extend(report.limb_targets.into_iter().flatten());
         report
     }
 
     /// Simulates the hair for the frame's joints.
     fn swing(&mut self, time_secs: f64) {
-        let Some(sway) = &mut self.sway else {
+        let Some(sway) = &mut self.swinging else {
             return;
         };
         let (figure, face) = (&self.cast.figure, &self.cast.face);
-        let (layers, welcome, room) = (&mut self.layers, &mut self.welcome, &mut self.room);
+        let (layers, welcome, room) = (&mut self.actors, &mut self.idle, &mut self.scratch);
         let mut posture = |t: f64, out: &mut Vec<DAffine3>| {
             let (pose, weights) = (&mut room.pose, &mut room.morph_weights);
             layers.evaluate(&figure.skeleton, face, t, pose, weights);
@@ -114,7 +116,7 @@ impl Player {
     /// Updates the lines of the face's tissue, if they are visible.
     pub(super) fn draw_tissue(&mut self) {
         self.frame.lines.clear();
-        let shown = self.frame.shown;
+        let shown = self.frame.visibility;
         if !(shown.springs || shown.muscles || shown.skull) {
             return;
         }
@@ -154,18 +156,18 @@ impl Player {
     /// Recomputes the emotions, with their shots and lights.
     pub(super) fn direct(&mut self) {
         let library = &self.animations.library;
-        self.feelings = self.score.feelings(library, self.end_secs());
-        self.picture.rebuild(self.score.plans(), &self.feelings);
+        self.emotions = self.scripts.feelings(library, self.end_secs());
+        self.shots.rebuild(self.scripts.plans(), &self.emotions);
     }
 
     /// Lights the frame as it is at a story time.
     pub(super) fn light(&mut self, time_secs: f64) {
         let set = self.set();
         let lamps = self.lighting.unwrap_or_else(|| set.lighting());
-        let light = self.picture.illumination(time_secs);
+        let light = self.shots.illumination(time_secs);
         self.frame.set = Set {
             // For users who prefer reduced motion, the set stands still.
-            time_secs: if self.picture.moves() { time_secs } else { 0.0 },
+            time_secs: if self.shots.moves() { time_secs } else { 0.0 },
             ..light.set(set)
         };
         self.frame.lighting = light.lamps(&lamps);

@@ -54,9 +54,9 @@ pub struct HeadRegistration {
     /// As `head/binding.tsv` has it.
     pub table: String,
     /// Number of cage vertices with a match, on both halves.
-    pub found: usize,
+    pub found_points: usize,
     /// Number of vertices without a match, which keep their positions.
-    pub kept: usize,
+    pub used_points: usize,
     /// Mean and maximum displacement from the previous positions, mm.
     pub moved_mm: [f64; 2],
 }
@@ -157,8 +157,8 @@ pub fn register(model: &Model) -> Result<HeadRegistration, ModelError> {
     }
     Ok(HeadRegistration {
         table: rewritten(&found),
-        found: found.len(),
-        kept,
+        found_points: found.len(),
+        used_points: kept,
         moved_mm: [sum / f64::from(count.max(1)), most],
     })
 }

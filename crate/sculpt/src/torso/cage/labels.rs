@@ -1,4 +1,4 @@
-//! Which joints carry the cage's points.
+//! Joint weights of the cage's points.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{Side, ops};
@@ -69,8 +69,8 @@ fn label(key: Key, heights: &[f64], joints: &Joints) -> Weights {
             }
         }
         Key::Arm(side, j, k) => {
-            // Over the shoulder the girdle reaches farther out, or a raised arm would fold
-            // the cloth into the trunk; the armpit's cloth goes with the arm.
+            // Over the shoulder, the girdle extends farther, because a raised arm would otherwise
+            // fold the cloth into the trunk; the armpit's cloth follows the arm.
             let top = ops::cos(core::f64::consts::TAU * k as f64 / RING as f64).max(0.0);
             let near = 1.0 - smooth((ARM_RINGS[j] - 0.10) / 0.5);
             arm_label(side, ARM_RINGS[j] - 0.09 * top * near)

@@ -1,4 +1,4 @@
-//! Pulls the template's points onto the field and winds its faces outwards.
+//! Projection of the template's points onto the field, with outward winding of its faces.
 
 use std::collections::BTreeMap;
 

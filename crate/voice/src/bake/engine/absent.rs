@@ -1,4 +1,4 @@
-//! Stands for an engine that is not on this machine: it plans and does not speak.
+//! Placeholder for an engine that this machine lacks: it plans and does not speak.
 
 use crate::spoken::{Sentence, Spoken};
 use anyhow::Result;

@@ -1,5 +1,4 @@
-//! Sound whose times another program wrote: its words find their tokens by their order and
-//! spelling.
+//! Audio with times from another program: its words are matched to tokens by order and spelling.
 
 use crate::align::{Alignment, IPA, Units, phone_of_viseme};
 use crate::ipa;
@@ -91,7 +90,7 @@ fn tokens_of(alignment: &Alignment, tokens: &[&str]) -> Result<Vec<Option<usize>
         } else if k.starts_with(h.as_str()) || h.starts_with(k.as_str()) {
             2
         } else {
-            // Another spelling, such as a number in words, at the same place.
+            // Another spelling, such as a number in words, at the same position.
             5
         }
     })?;
@@ -102,8 +101,8 @@ fn tokens_of(alignment: &Alignment, tokens: &[&str]) -> Result<Vec<Option<usize>
         heard.len(),
         tokens.len()
     );
-    // A pair may be two spellings of one word, numbers above all; where hardly any is the same the
-    // alignment is of something else.
+    // A pair may be two spellings of one word, mostly numbers; if almost none are equal, the
+    // alignment belongs to another text.
     let is_same = |(heard, at): (&String, &Option<usize>)| {
         at.and_then(|at| known.get(at)).is_some_and(|known| {
             known.starts_with(heard.as_str()) || heard.starts_with(known.as_str())
@@ -159,7 +158,7 @@ fn times<'a>(
         let symbols = phones(&segment.label);
         let (count, length_secs) = (symbols.len(), segment.end_secs - segment.start_secs);
         for (k, symbol) in symbols.into_iter().enumerate() {
-            // The last ends as the segment does, to the bit.
+            // The last one ends with the segment, to the bit.
             let left = (count - 1 - k) as f64 / count as f64;
             labels.phones.push(Phone {
                 token: word.and_then(|w| token_of.get(w).copied().flatten()),
@@ -195,7 +194,7 @@ fn spell(alignment: &Alignment, token_of: &[Option<usize>], tokens: &[&str], lab
         }
         let mut letters = folded(&word.label);
         if letters.is_empty() {
-            // A sign that the text does not read is a part of the word before it.
+            // A sign that is not read aloud is part of the preceding word.
             let own = token.filter(|t| before != Some(*t));
             let read = own.and_then(|t| tokens.get(t)).map(|t| folded(t));
             letters = read.filter(|r| !r.is_empty()).unwrap_or("e".to_owned());

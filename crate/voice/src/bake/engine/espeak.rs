@@ -176,7 +176,7 @@ impl Text {
                 // A change of language within a sentence.
                 EventKind::Phone(symbol) if symbol.starts_with('(') => {}
                 EventKind::Phone(symbol) => {
-                    // A stop's event is its burst; that of its word comes before its closure.
+                    // A stop's event is its burst; that of its word precedes its closure.
                     starts.push(word.take().unwrap_or(*sample));
                     labels.phones.push(Phone {
                         // A t that a vowel after it may change; the sound is that of t.
@@ -384,7 +384,7 @@ fn mnemonics(ipa: &str, set: Set) -> Result<String> {
     let mut out = "[[".to_owned();
     for syllable in ipa::syllables(ipa, set)? {
         for phone in &syllable.phones {
-            // Marks of stress stand before the vowel.
+            // Stress marks precede the vowel.
             if ipa::is_vowel(phone, set) {
                 out.push_str(
                     ["", "'", ","]
@@ -393,7 +393,7 @@ fn mnemonics(ipa: &str, set: Set) -> Result<String> {
                 );
             }
             out.push_str(phone);
-            // What could be read as one mnemonic with the next.
+            // A separator prevents reading it as one mnemonic with the next.
             out.push('|');
         }
     }

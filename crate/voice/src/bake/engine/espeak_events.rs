@@ -1,4 +1,4 @@
-//! What espeak-ng gives: a sound, and what happens in it.
+//! Output of espeak-ng: audio and its events.
 
 /// Type of an event in the audio.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,8 +1,8 @@
-//! libespeak-ng, loaded while the program runs: only its events tell when each phone and
-//! each word begins, which the program `espeak-ng` does not print.
+//! libespeak-ng, loaded at run time: only its events specify the start of each phone and each word,
+//! which the program `espeak-ng` does not print.
 //!
 //! Layouts and numbers are those of `speak_lib.h` of espeak-ng 1.51 and 1.52 (API revision 12,
-//! the same since revision 7 of 2011).
+//! unchanged since revision 7 of 2011).
 #![allow(
     unsafe_code,
     reason = "calls a library of C that is loaded at run time"
@@ -213,13 +213,13 @@ extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c
             if said.samples.len() + count > MAX_SAMPLES {
                 return stop;
             }
-            // SAFETY: the library gives `count` samples at `wave`.
+            // SAFETY: the library provides `count` samples at `wave`.
             said.samples
                 .extend_from_slice(unsafe { core::slice::from_raw_parts(wave, count) });
         }
         let mut at = events;
         while !at.is_null() {
-            // SAFETY: the list goes on until an event of the kind 0.
+            // SAFETY: the list continues until an event of kind 0.
             let event = unsafe { &*at };
             let what = match event.kind {
                 EVENT_LIST_TERMINATED => break,
@@ -227,7 +227,7 @@ extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c
                     usize::try_from(event.text_position).unwrap_or(0),
                 )),
                 EVENT_PHONEME => {
-                    // SAFETY: events of phonemes hold the characters, and any bytes are.
+                    // SAFETY: phoneme events contain the characters, and any bytes are valid.
                     let bytes = unsafe { event.id.string };
                     let end = bytes.iter().position(|b| *b == 0).unwrap_or(bytes.len());
                     let name = String::from_utf8_lossy(&bytes[..end]);
@@ -252,7 +252,7 @@ extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c
 
 impl Drop for Espeak {
     fn drop(&mut self) {
-        // SAFETY: it was initialised once, and nothing else is using it.
+        // SAFETY: it was initialised once, and nothing else uses it.
         unsafe { (self.terminate)() };
     }
 }
@@ -261,7 +261,7 @@ impl Drop for Espeak {
 fn with<T>(act: impl FnOnce(&Espeak) -> Result<T>) -> Result<T> {
     let guard = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     let espeak = Espeak::load()?;
-    // SAFETY: any seed is one. The library takes its noise from the C library.
+    // SAFETY: any seed is valid. The library takes its noise from the C library.
     unsafe { srand(1) };
     let done = act(&espeak);
     drop(espeak);
@@ -280,7 +280,7 @@ impl Host for Installed {
     fn files(&self, folder: &str) -> Result<Vec<String>> {
         let (_, data) = about()?;
         let mut out = Vec::new();
-        // A language without relatives is a file beside the families.
+        // A language without relatives is a file next to the families.
         for entry in names(&data.join(folder))? {
             let path = data.join(folder).join(&entry);
             if path.is_dir() {
@@ -335,8 +335,8 @@ fn about() -> Result<(String, PathBuf)> {
 
 fn speak_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Synthesis> {
     SAID.with(|said| said.replace(Synthesis::default()));
-    // SAFETY: the strings end in 0 and live until the calls return; the size counts the 0;
-    // the callback is a function. Mode "synchronous" does all work before it returns.
+    // SAFETY: the strings end in 0 and live until the calls return; the size includes the 0; the
+    // callback is a function. Mode "synchronous" completes all work before it returns.
     let (found, done, marked) = unsafe {
         (espeak.set_callback)(take);
         let found = (espeak.set_voice)(voice.as_ptr());
@@ -380,8 +380,8 @@ unsafe fn marked(espeak: &Espeak, text: &CStr) -> Vec<String> {
         if rest.is_null() {
             break;
         }
-        // SAFETY: `rest` is in the text, where the library moves it, until it makes it null;
-        // what it returns is its own, until the next call, and copied at once.
+        // SAFETY: `rest` points into the text, where the library moves it, until it is null; the
+        // returned string belongs to the library until the next call, and is copied immediately.
         let clause = unsafe {
             self::text((espeak.to_phonemes)(
                 &mut rest,

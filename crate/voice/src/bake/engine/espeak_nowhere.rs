@@ -1,4 +1,4 @@
-//! Stands for espeak-ng's library where none can be loaded.
+//! Placeholder for espeak-ng's library where none can be loaded.
 
 use anyhow::Result;
 

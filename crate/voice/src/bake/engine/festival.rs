@@ -68,7 +68,7 @@ impl Engine for Festival {
         } else {
             Set::Radio
         };
-        // A sentence of dashes has nothing to say; Festival would make no sound for it.
+        // A sentence of dashes contains no speech; Festival would produce no audio for it.
         let heard: Vec<bool> = sentences
             .iter()
             .map(|s| {
@@ -105,7 +105,7 @@ impl Engine for Festival {
 fn run(script: &str, folder: &tempfile::TempDir) -> Result<String> {
     fs::write(folder.path().join("say.scm"), script)?;
     let mut command = FESTIVAL.command();
-    // A home without settings: a bake does not depend on who runs it.
+    // A home directory without settings makes a bake independent of the user.
     command
         .args(["-b", "say.scm"])
         .current_dir(folder.path())

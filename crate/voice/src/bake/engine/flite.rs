@@ -1,7 +1,7 @@
 //! flite 2: small voices of American English.
 //!
-//! It prints phones and their times without words, so each token is also spoken alone,
-//! and the phones of the sentence are matched with those of its tokens.
+//! It prints phones and their times without words, so each token is also spoken separately, and the
+//! phones of the sentence are matched with those of its tokens.
 
 use std::fs;
 use std::path::Path;
@@ -102,7 +102,7 @@ impl<H: Host> Engine for Flite<H> {
     fn version(&self) -> Result<String> {
         let said = match self.0.run(&["--version"], &[], false) {
             Ok(said) => said.printed,
-            // It tells its version and then that it failed.
+            // It prints its version and then fails.
             Err(error) if format!("{error:#}").contains("version:") => format!("{error:#}"),
             Err(error) => return Err(error),
         };
@@ -168,7 +168,7 @@ impl Text {
         for (t, token) in sentence.tokens.iter().enumerate() {
             let word = match &token.ipa {
                 Some(ipa) => {
-                    // A word that no lexicon has, in letters alone.
+                    // A word in no lexicon, in letters only.
                     let name = format!("raconteuri{}", scheme::spelled(t));
                     text.lexicon.push_str(&format!("{name} nil :"));
                     for syllable in ipa::syllables(ipa, Set::Radio)
@@ -205,7 +205,7 @@ impl Text {
             wave: sound,
         } = self.run(host, voice, &self.written, "-psdur", SOUND)?;
         let heard = timed_phones(&timed)?;
-        // Two empty lines separate tokens that are spoken alone.
+        // Two empty lines separate tokens that are spoken separately.
         let words: Vec<&str> = self.words.iter().map(|(_, w)| w.as_str()).collect();
         let parted = format!("{}\n\n\n", words.join("\n\n\n"));
         let alone = self.run(host, voice, &parted, "-ps", "none")?.printed;
@@ -248,7 +248,7 @@ impl Text {
         if print == "-ps" {
             arguments.extend(["-f", "text.txt"]);
         } else {
-            // As a file a sentence would be parted at its marks; an argument is one.
+            // In a file, a sentence would be split at its marks; an argument is not split.
             arguments.extend(["-t", text]);
         }
         arguments.extend([print, "-o", sound]);
@@ -345,7 +345,7 @@ mod tests {
 
     #[test]
     fn phones_of_a_sentence_find_their_tokens() {
-        // Alone, "the" is said with another vowel, and 25 has a t more.
+        // Spoken separately, "the" has another vowel, and 25 has an additional t.
         let alone = [
             (0, "hh ax l ow"),
             (2, "dh iy"),

@@ -1,4 +1,5 @@
-//! Asking a speech server on the local network: one POST, one reply, with limits of time and size.
+//! Requests to a speech server on the local network: one POST, one reply, with limits of time and
+//! size.
 
 use std::time::Duration;
 
@@ -40,7 +41,7 @@ pub(super) fn post(address: &str, path: &str, form: &[(&str, &str)]) -> Result<V
         .max_redirects(0)
         .max_redirects_will_error(false)
         .http_status_as_error(false)
-        // Nothing stands between this machine and what is on its network.
+        // No proxy is needed between this machine and its network.
         .proxy(None)
         .build()
         .into();

@@ -1,4 +1,4 @@
-//! Stands for requests where nothing but the page's own engine can be asked.
+//! Placeholder for HTTP requests where only the page's own engine is available.
 
 use anyhow::{Result, bail};
 

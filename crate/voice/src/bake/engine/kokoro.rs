@@ -1,9 +1,9 @@
-//! Kokoro: a neural network that speaks phones (82 million parameters, of the family of
-//! StyleTTS 2, doi:10.48550/arXiv.2306.07691).
+//! Kokoro: a neural network that speaks phones (82 million parameters, of the family of StyleTTS 2,
+//! doi:10.48550/arXiv.2306.07691).
 //!
-//! It is given letters of its own alphabet, which is the IPA with one letter for each diphthong and
-//! affricate, and says how many frames of its decoder each letter lasts. The words' letters are of
-//! the dictionaries that its makers trained it with; what they lack is guessed.
+//! Its input is letters of its own alphabet, which is the IPA with one letter for each diphthong
+//! and affricate; its output includes the number of decoder frames of each letter. The words'
+//! letters are from its authors' training dictionaries; missing words are guessed.
 
 mod letters;
 mod words;

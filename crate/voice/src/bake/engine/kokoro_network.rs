@@ -1,9 +1,9 @@
 //! Kokoro on this machine: the network, run by ONNX Runtime, and the dictionaries, from the folder
-//! that `npm run voice` fills.
+//! filled by `npm run voice`.
 //!
-//! Each run has one thread, so that a sound does not depend on how many there are; several texts
-//! are spoken at a time. ONNX Runtime chooses its kernels by the processor's instructions, so the
-//! last bits of a sample may differ between machines.
+//! Each run has one thread, so that the audio does not depend on the number of threads; several
+//! texts are spoken simultaneously. ONNX Runtime selects its kernels by the processor's
+//! instructions, so the last bits of a sample may differ between machines.
 
 use std::collections::HashMap;
 use std::fs;
@@ -137,7 +137,7 @@ impl Installed {
         if let Some(speaker) = self.speaker.get() {
             return Ok(speaker);
         }
-        // There may be one environment in a program: the others wait for who opens it.
+        // A program may have one environment: the other threads wait for the thread that opens it.
         let _open = self.opening.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(speaker) = self.speaker.get() {
             return Ok(speaker);

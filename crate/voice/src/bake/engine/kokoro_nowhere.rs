@@ -1,4 +1,4 @@
-//! Stands for Kokoro on a machine where there is none: a page has its own.
+//! Placeholder for Kokoro on a machine without it: a page has its own.
 
 use anyhow::Result;
 

@@ -1,5 +1,5 @@
-//! Brings the phones that an engine tells of into one shape: silences are one, times begin
-//! at 0, leave no gap and end with the sound, and every sound belongs to a token.
+//! Normalisation of an engine's phones: silences are merged, times begin at 0, leave no gap and end
+//! with the audio, and every phone belongs to a token.
 
 use anyhow::{Result, ensure};
 

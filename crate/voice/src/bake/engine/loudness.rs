@@ -1,9 +1,9 @@
-//! Times for a recording that nobody aligned, from its loudness alone.
+//! Times of a recording without an alignment, from its intensity alone.
 //!
-//! Where it is quiet there is silence. Each rise and fall between is a syllable, whose vowel is the
-//! more open the louder it is; words share what is heard by their letters and punctuation. So jaw, head and brows
-//! move with the voice, and the lips make no shapes of sounds, which loudness does not tell.
-//! All numbers are *designed*.
+//! Quiet intervals are silence. Each rise and fall in between is a syllable, whose vowel is more
+//! open the louder it is; words share the speech by their letters and punctuation. Jaw, head and
+//! brows therefore move with the voice; the lips form no shapes of phones, because intensity does
+//! not show them. All numbers are *designed*.
 
 mod spread;
 
@@ -185,7 +185,7 @@ fn syllable(level: &Intensity, peak: Peak, loud: f64, labels: &mut Labels) {
 /// silences.
 fn share(labels: &mut Labels, tokens: &[SpokenUnit<'_>]) {
     let phones = core::mem::take(&mut labels.phones);
-    // Where phones end if all quiet is left out.
+    // The ends of phones if all quiet intervals are omitted.
     let (mut begin_secs, mut heard_secs) = (0.0, 0.0);
     let (mut heard, mut pauses) = (Vec::with_capacity(phones.len()), Vec::new());
     for phone in &phones {
@@ -247,7 +247,7 @@ fn token_ends(tokens: &[SpokenUnit<'_>], heard: &[f64], pauses: &[Pause]) -> Vec
             let own = letter * words.between(token - 1, token);
             let next = letter * words.between(token, token + 1);
             let end = from + letter * words.between(first, token);
-            // No two ends meet: each moves by less than half of the word that it moves into.
+            // Two ends never meet: each moves by less than half of the word that it moves into.
             let at_pause = nearest(&quiet, end, 0.49 * own, 0.49 * next);
             let near = NEAR_SECS.min(0.3 * own.min(next));
             let end = at_pause

@@ -1,4 +1,4 @@
-//! MARY TTS, a server: it is given RawMaryXML and gives MaryXML with times, and the sound.
+//! MARY TTS, a server: its input is RawMaryXML, and its output MaryXML with times, and the audio.
 
 use core::fmt::Write as _;
 

@@ -1,4 +1,4 @@
-//! Matches two sequences of phones that tell of the same words.
+//! Matching of two phone sequences of the same words.
 
 use anyhow::{Result, ensure};
 
@@ -22,7 +22,7 @@ pub(super) fn matched<A, B>(
     let width = known.len() + 1;
     let pairs = width.saturating_mul(heard.len() + 1);
     ensure!(pairs <= MAX_PAIRS, "{pairs} pairs of phones to compare");
-    // How each place was reached: 0 a pair, 1 from the left, 2 from above.
+    // The step that reached each position: 0 a pair, 1 from the left, 2 from above.
     let mut steps = vec![1_u8; pairs];
     let mut above: Vec<u32> = (0..width).map(|i| i as u32 * GAP).collect();
     for (j, h) in heard.iter().enumerate() {

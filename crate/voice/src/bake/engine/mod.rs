@@ -1,10 +1,9 @@
-//! Speech engines behind one trait: each is given sentences and gives sound with the times
-//! of its phones.
+//! Speech engines behind one trait: each converts sentences to audio with the times of its phones.
 //!
-//! Does: run engines, hand them texts that come from strangers, and bring what they print
-//! into one shape, corrected by each engine's measured lag.
-//! Does not: change pitch, loudness or the length of pauses, nor, but for the pace that an engine
-//! keeps by itself, the rate. Engines speak plainly; the baker does that afterwards in the sound.
+//! Scope: running engines, passing untrusted texts to them, and converting their output to one
+//! structure, corrected by each engine's measured lag.
+//! Out of scope: pitch, loudness, the length of pauses and, except for the speech rate that an
+//! engine sets itself, the rate. Engines speak plainly; the baker changes the audio afterwards.
 
 mod absent;
 mod aligned;
@@ -253,7 +252,7 @@ pub(super) fn punctuation(token: &Token, ends: Option<SentenceKind>) -> String {
         Some(SentenceKind::Question) => "?",
         Some(SentenceKind::Exclamation) => "!",
         Some(SentenceKind::Continuation) => ",",
-        // A pause is a phrase break; the phrasing model hears those as commas.
+        // A pause is a phrase break; the phrasing model treats those as commas.
         _ if token.pause => ",",
         _ => "",
     };

@@ -1,5 +1,5 @@
-//! Recordings of people: a folder with a sound for each utterance and, beside it, what
-//! another program says of its times; without that, its loudness tells what it can.
+//! Recordings of people: a folder with an audio file for each utterance and, next to it, another
+//! program's times; otherwise, its intensity provides approximate times.
 
 use std::path::{Path, PathBuf};
 

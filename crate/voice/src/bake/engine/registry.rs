@@ -1,5 +1,5 @@
-//! The engines by their names. Some run wherever their [`Machine`] runs them, on this machine and in
-//! a page's worker; others on this machine alone.
+//! Engines by name. Some run wherever their [`Machine`] runs them, on this machine and in a page's
+//! worker; others only on this machine.
 
 use anyhow::{Context as _, Result, bail, ensure};
 

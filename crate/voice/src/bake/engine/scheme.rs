@@ -1,5 +1,5 @@
-//! The script that Festival runs. Texts come from strangers: they appear in it only as
-//! string literals. Pronunciations are written in the names of [`super::ipa`] alone.
+//! Script for Festival. Texts are untrusted: they appear in it only as string literals.
+//! Pronunciations are written only in the names of [`super::ipa`].
 
 use core::fmt::Write as _;
 
@@ -148,7 +148,7 @@ pub(super) fn script(sentences: &[Sentence], voice: &str, set: Set) -> Result<St
         for (t, token) in sentence.tokens.iter().enumerate() {
             let name = match &token.ipa {
                 Some(ipa) => {
-                    // A word that no lexicon has, in letters alone: digits would be read.
+                    // A word in no lexicon, in letters only: digits would be read aloud.
                     let name = format!("raconteuri{}ki{}", spelled(i), spelled(t));
                     entry(&mut out, &name, ipa, set)
                         .with_context(|| format!("the word {:?}", token.text))?;

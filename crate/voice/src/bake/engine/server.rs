@@ -1,5 +1,5 @@
-//! A server that speaks sentences and tells times in a format of [`crate::align`], asked by a page;
-//! `docs/voices.md` has the messages.
+//! Server that speaks sentences and returns times in a format of [`crate::align`], queried by a
+//! page; `docs/voices.md` describes the messages.
 
 use anyhow::{Context as _, Result};
 use serde::{Deserialize, Serialize};

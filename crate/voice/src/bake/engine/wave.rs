@@ -1,4 +1,4 @@
-//! Reads the sounds that engines and people make.
+//! Reader of audio from engines and people.
 
 mod plain;
 

@@ -1,4 +1,4 @@
-//! A setting with the request and what was heard, and how near they must be.
+//! Setting with the requested and the measured value, and their tolerance.
 
 use crate::compare::{amplitude, frequency};
 
@@ -38,9 +38,9 @@ pub struct Row {
     /// Property of the audio.
     pub property: &'static str,
     /// The request.
-    pub asked: f64,
+    pub requested: f64,
     /// Measured value.
-    pub heard: f64,
+    pub measured: f64,
     unit: Unit,
 }
 
@@ -55,8 +55,8 @@ impl Row {
         Self {
             setting: setting.to_owned(),
             property,
-            asked,
-            heard,
+            requested: asked,
+            measured: heard,
             unit,
         }
     }
@@ -69,9 +69,9 @@ impl Row {
     /// figures are semitones and decibels.
     pub fn error(&self) -> f64 {
         let ratio = match self.unit {
-            Unit::Factor | Unit::Seconds => self.heard / self.asked,
-            Unit::Semitones => frequency(self.heard - self.asked),
-            Unit::Decibels => amplitude(self.heard - self.asked),
+            Unit::Factor | Unit::Seconds => self.measured / self.requested,
+            Unit::Semitones => frequency(self.measured - self.requested),
+            Unit::Decibels => amplitude(self.measured - self.requested),
         };
         (ratio - 1.0).abs()
     }
@@ -80,13 +80,13 @@ impl Row {
     /// requests are small changes.
     pub fn missing(&self) -> f64 {
         let neutral = f64::from(u8::from(self.unit == Unit::Factor));
-        ((self.heard - self.asked) / (self.asked - neutral)).abs()
+        ((self.measured - self.requested) / (self.requested - neutral)).abs()
     }
 
     /// Returns true if the value is within tolerance, in the right direction.
     pub fn is_met(&self) -> bool {
         let neutral = f64::from(u8::from(self.unit == Unit::Factor));
-        let same_way = (self.heard - neutral) * (self.asked - neutral) > 0.0;
+        let same_way = (self.measured - neutral) * (self.requested - neutral) > 0.0;
         let most = if self.property == ACCENT_SLOPE {
             SLOPE_TOLERANCE
         } else {
@@ -95,8 +95,8 @@ impl Row {
         let near = match self.unit {
             Unit::Factor | Unit::Seconds => self.error() <= most,
             Unit::Semitones | Unit::Decibels => {
-                let most = (TOLERANCE * self.asked.abs()).max(UNNOTICED);
-                (self.heard - self.asked).abs() <= most
+                let most = (TOLERANCE * self.requested.abs()).max(UNNOTICED);
+                (self.measured - self.requested).abs() <= most
             }
         };
         same_way && near

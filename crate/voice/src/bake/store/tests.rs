@@ -99,7 +99,7 @@ fn wherever_a_bake_is_stopped_the_bundle_is_the_old_or_the_new_one() {
                     break;
                 }
                 stops += 1;
-                // The next bake makes it good and leaves nothing behind.
+                // The next bake corrects it and leaves nothing behind.
                 publish(&open(), &new).unwrap();
                 assert!(is_whole(dir.path(), &new), "the completed bundle is intact");
                 let files = fs::read_dir(dir.path()).unwrap().count();
@@ -190,7 +190,7 @@ fn earlier(dir: &Path) {
         audio.push(AudioFile {
             file,
             mime: mime.to_owned(),
-            holds: None,
+            digest: None,
         });
     }
     let store = Store::open(dir.to_owned(), &Real);
@@ -294,7 +294,7 @@ fn sounds_that_are_links_out_of_the_folder_are_none() {
         !store.has(1, 2),
         "a link out of the folder is not in the store"
     );
-    // The link is replaced, and what it named stays as it was.
+    // The link is replaced, and its target is unchanged.
     store.add(b"a sound", "opus", "a").unwrap();
     assert!(
         !fs::symlink_metadata(&path).unwrap().is_symlink(),
@@ -307,7 +307,7 @@ fn sounds_that_are_links_out_of_the_folder_are_none() {
 fn a_bundle_is_compared_and_not_believed() {
     let dir = tempfile::tempdir().unwrap();
     let folder = dir.path();
-    // A file without content that takes no room and would fill any memory.
+    // A sparse file that takes no disk space and would fill any memory.
     let huge = 1_u64 << 42;
     fs::File::create(folder.join("huge.opus"))
         .and_then(|file| file.set_len(huge))
@@ -316,7 +316,7 @@ fn a_bundle_is_compared_and_not_believed() {
     let told = |file: &str, bytes: u64| AudioFile {
         file: file.to_owned(),
         mime: "a".to_owned(),
-        holds: Some(FileDigest {
+        digest: Some(FileDigest {
             bytes,
             sha256: "0".repeat(64),
         }),
@@ -347,11 +347,11 @@ fn a_sound_is_read_once_however_often_it_is_named() {
     let audio = |bytes: &[u8]| AudioFile {
         file: "a.opus".to_owned(),
         mime: "a".to_owned(),
-        holds: Some(digest(bytes)),
+        digest: Some(digest(bytes)),
     };
     let mut sounds = super::Sounds::from_folder(folder);
     assert_eq!(sounds.inspect(&audio(b"a sound")), Sound::Whole);
-    // What was read is known, also after the file is gone from where it was read.
+    // Audio that was read stays available, also after its file is removed.
     fs::write(folder.join("a.opus"), b"changed").unwrap();
     assert_eq!(sounds.inspect(&audio(b"a sound")), Sound::Whole);
     assert_eq!(sounds.inspect(&audio(b"a soun!")), Sound::Wrong);

@@ -1,4 +1,4 @@
-//! A disk that fails when a test wants it to.
+//! Disk that fails on demand, for tests.
 
 use std::fs;
 use std::io::{self, Error, ErrorKind, Write as _};

@@ -1,4 +1,4 @@
-//! Reads SABLE.
+//! Reader of SABLE.
 
 use super::{AGES, GENDERS, MODES, ORDERS, of_word};
 use crate::content::{Content, Division, Markup, Segment, Setting, Speaker};
@@ -184,7 +184,7 @@ fn pause(tag: &Tag, pieces: &mut Pieces<'_>) -> Segment {
 
 fn pitch(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     let base = setting(tag, pieces, Property::Height, "BASE", "base");
-    // The DTD says MIDDLE, and Festival reads MED.
+    // The DTD specifies MIDDLE, and Festival reads MED.
     let named = if tag.get("MIDDLE").is_some() {
         "MIDDLE"
     } else {

@@ -1,4 +1,4 @@
-//! Writes SABLE 1.0.
+//! Writer of SABLE 1.0.
 
 use super::{AGES, GENDERS, MODES, ORDERS, word_of};
 use crate::content::{Content, Division, Markup, Segment, Setting};
@@ -27,7 +27,7 @@ fn set(
     setting: Option<Setting>,
 ) -> Element {
     match setting {
-        // What changes nothing needs no words.
+        // A setting without effect needs no element.
         Some(setting) if property.write(setting).is_some() => {
             element.with_setting(names, setting, property.write(setting), |text| {
                 property.read(text).map(|s| vec![s])

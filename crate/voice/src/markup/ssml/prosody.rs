@@ -1,9 +1,9 @@
-//! The numbers and words of `prosody` and of `soundLevel`.
+//! Numbers and words of `prosody` and of `soundLevel`.
 //!
-//! SSML's words name levels of the voice, whatever is around them, so they read as the
-//! voice's own value with a factor on it; the factors are SABLE's. Its percentages of pitch,
-//! range and loudness are changes of their surroundings, and a percentage of the rate is one
-//! of the voice's own rate.
+//! SSML's words specify levels of the voice, independent of their context, so they are read as the
+//! voice's own value with a factor; the factors are SABLE's. Its percentages of pitch, range and
+//! loudness are changes of their context, and a percentage of the rate is one of the voice's own
+//! rate.
 
 use raconteur_base::ops;
 
@@ -157,7 +157,7 @@ pub(super) fn decibels(text: &str) -> Option<f64> {
             .or(text.strip_suffix("db"))?
             .trim_end(),
     )?;
-    // Beyond, nothing is heard, or everything is.
+    // Beyond this range, nothing or everything is audible.
     Some(ops::pow(10.0, number.clamp(-200.0, 200.0) / 20.0))
 }
 

@@ -1,4 +1,4 @@
-//! Reads SSML.
+//! Reader of SSML.
 
 use super::prosody::{self, Settings, decibels};
 use super::{AGES, GENDERS, KINDS, sampa};
@@ -139,7 +139,8 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
         }
         _ => return unknown(tag, pieces),
     };
-    // Ours tells a language that is no tag, and that a root's language is not the content's.
+    // The attribute in this project's namespace can specify a language that is not a tag, and a
+    // root's language that is not the content's.
     let language = tag.own_attribute("language").or(tag.get("xml:lang"));
     match filled(language) {
         Some(language) => meaning.markups.insert(0, Markup::Language(language)),
@@ -315,7 +316,7 @@ fn phoneme(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
 }
 
 fn audio(tag: &Tag, pieces: &mut Pieces<'_>, is_there: &dyn Fn(&str) -> bool) -> Meaning {
-    // Without an address its content is spoken.
+    // Without an address, its content is spoken.
     let Some(src) = filled(tag.get("src")) else {
         return Meaning::default();
     };

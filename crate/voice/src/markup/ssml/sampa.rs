@@ -1,5 +1,5 @@
-//! X-SAMPA as the International Phonetic Alphabet (J. C. Wells, *Computer-coding the IPA*,
-//! 1995).
+//! Conversion of X-SAMPA to the International Phonetic Alphabet (J. C. Wells, *Computer-coding the
+//! IPA*, 1995).
 
 /// Signs; longer ones precede their prefixes.
 const SIGNS: &[(&str, &str)] = &[

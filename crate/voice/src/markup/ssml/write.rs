@@ -1,4 +1,4 @@
-//! Writes SSML.
+//! Writer of SSML.
 
 use super::prosody::{
     decibels, decibels_text, height, height_text, loudness, loudness_text, rate_of_words, rate_text,
@@ -43,7 +43,7 @@ struct Ssml {
 
 impl MarkupWriter for Ssml {
     fn markup(&mut self, markup: &Markup) -> Option<Element> {
-        // No engine is named: pitch, rate and volume depend on none.
+        // No engine is selected: pitch, rate and volume depend on none.
         let style = self.styles.last().map(|s| s.with(markup, ""));
         let style = style.unwrap_or_default();
         let element = element(markup, &style);
@@ -148,7 +148,7 @@ fn pitch(base: Option<Setting>, middle: Option<Setting>, range: Option<Setting>)
         let names = ("pitch", "r:middle");
         element = element.with_setting(names, setting, Some(height_text(setting)), read);
     } else if let Some(setting) = base {
-        // Others hear the base line as the pitch; we leave the middle as it is.
+        // Other readers treat the base line as the pitch; this reader leaves the middle unchanged.
         element = element
             .with("pitch", height_text(setting))
             .with("r:middle", exact_text(Setting::Factor(1.0)));

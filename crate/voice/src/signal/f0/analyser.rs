@@ -1,4 +1,4 @@
-//! What a frame may be: peaks of its autocorrelation.
+//! Candidates of a frame: peaks of its autocorrelation.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -153,8 +153,8 @@ impl Analyser {
         }
         for lag in self.min_lag..=self.max_lag {
             let [left, here, right] = [self.lags[lag - 1], self.lags[lag], self.lags[lag + 1]];
-            // A peak below half the threshold cannot become the best even where the
-            // samples beside it flatter it least.
+            // A peak below half the threshold cannot become the best even where the adjacent
+            // samples reduce it most.
             if here <= 0.5 * self.options.voicing_threshold || here < left || here <= right {
                 continue;
             }
@@ -185,7 +185,8 @@ impl Analyser {
         if !(self.options.min_hz..=self.options.max_hz).contains(&hz) {
             return None;
         }
-        // Above 1 only by noise in very short lags: mirrored, as the programme does.
+        // Values above 1 result only from noise at very short lags; they are mirrored, as in the
+        // original program.
         let periodic = if height > 1.0 { 1.0 / height } else { height };
         let octaves = ops::ln(hz) / std::f64::consts::LN_2;
         let above = ops::ln(hz / self.options.min_hz) / std::f64::consts::LN_2;

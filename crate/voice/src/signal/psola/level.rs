@@ -1,4 +1,4 @@
-//! Level of changed sound: kept where only pitch changed, and the requested gain.
+//! Intensity of modified audio: preserved where only pitch changed, and the requested gain.
 
 use super::super::intensity::{Intensity, SILENCE_DB, intensity};
 use super::super::rigid::CELL_SECS;
@@ -29,7 +29,7 @@ pub(super) fn keep_level(
         let past = ((end * rate_hz).max(0.0) as usize).min(changed.samples.len());
         for i in first..past {
             let secs = i as f64 / rate_hz;
-            // Faded in and out: at its edges a span meets sound that is right already.
+            // Faded in and out, because a span borders on correct audio at its edges.
             let edge = ((secs - start).min(end - secs) / STEP_SECS).clamp(0.0, 1.0);
             let db = correction(&old, &new, changed.times.before(secs), secs) * edge;
             changed.samples[i] *= ops::pow(10.0, db / 20.0);

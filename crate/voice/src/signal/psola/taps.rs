@@ -1,4 +1,4 @@
-//! Sound between its samples.
+//! Interpolation between audio samples.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Changes measured with this module's own analysis, on sound whose truth is known.
+//! Modifications measured with this module's own analysis, on audio with known properties.
 
 use super::*;
 use crate::signal::bursts::{self, rigid_spans};
@@ -77,7 +77,7 @@ fn no_change_is_none_to_the_bit() {
 #[test]
 fn what_is_beside_a_change_stays_as_it_was() {
     let (sound, found) = story();
-    // The last vowel alone is raised: what comes before is laid from grains anew.
+    // Only the last vowel is raised; the preceding audio is assembled from grains again.
     let raised = change(
         &sound,
         RATE,

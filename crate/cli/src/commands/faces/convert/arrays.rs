@@ -17,7 +17,7 @@ const MODES: &str = "modes.npy";
 const DEVIATIONS: &str = "deviations.npy";
 /// Names of the arrays; any of them identifies such a folder.
 pub(super) const NAMES: [&str; 3] = [MEAN, MODES, DEVIATIONS];
-/// Its triangles.
+/// Name of the mesh file with the triangles.
 const MESH: &str = "mesh.obj";
 
 /// Magic bytes of every NumPy array.
@@ -28,7 +28,7 @@ const MAX_HEADER: usize = 512;
 const MAX_SIZES: usize = 3;
 const MAX_DIGITS: usize = 6;
 
-/// Numbers, the last size running fastest.
+/// Multidimensional NumPy array of numbers; the last dimension varies fastest.
 #[derive(Debug)]
 pub(super) struct Array {
     pub(super) shape: Vec<usize>,

@@ -17,7 +17,7 @@ use crate::terminal;
 const NEUTRAL: &str = "generic_neutral_mesh.obj";
 /// Files that identify such a folder.
 pub(super) const NAMES: [&str; 2] = [NEUTRAL, "identity000.obj"];
-/// Its unit is the centimetre.
+/// Metres per unit of the model, which is the centimetre.
 const METRES: f64 = 0.01;
 /// Number of components in the light model.
 const USUAL: usize = 100;

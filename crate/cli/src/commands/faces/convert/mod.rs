@@ -80,7 +80,7 @@ impl Convert {
 struct SourceModel {
     /// Type of the model.
     kind: &'static str,
-    /// Its space with all of its modes.
+    /// Shape space of the model with all of its modes.
     shape: FaceSpace,
     /// The faces that it was learned from, where it was.
     examples: Vec<Vec<f64>>,
@@ -116,7 +116,7 @@ impl SourceModel {
     }
 }
 
-/// The variance of a space, over all of its modes.
+/// Returns the total variance of a space over all of its modes.
 fn variance(shape: &FaceSpace) -> f64 {
     shape.deviations().iter().map(|d| d * d).sum()
 }
@@ -151,7 +151,7 @@ fn pack(model: &FaceModel, most: usize) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The files in a folder, by name.
+/// Returns the files in a folder, sorted by name.
 fn files(folder: &Path) -> Result<Vec<PathBuf>> {
     let named = || format!("cannot read {}", folder.display());
     let entries = fs::read_dir(folder).with_context(named)?;

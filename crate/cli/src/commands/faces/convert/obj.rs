@@ -11,12 +11,12 @@ use raconteur_voice::files::input;
 use super::{MAX_COORDINATE, MAX_FILE_BYTES, MAX_VERTICES};
 use crate::parallel;
 
-/// A mesh in the units of its file.
+/// Mesh read from a Wavefront OBJ file, in the units of the file.
 #[derive(Debug)]
 pub(super) struct Mesh {
     /// x, y and z of each vertex.
     pub(super) numbers: Vec<f64>,
-    /// Its faces, about the first corner of each.
+    /// Triangles; polygons are split into fans about their first corner.
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
@@ -53,7 +53,7 @@ fn parse(text: &str) -> Result<Mesh> {
     })
 }
 
-/// A face as triangles about its first corner.
+/// Splits a polygon into a fan of triangles about its first corner.
 fn fan(face: &[u32]) -> Vec<[u32; 3]> {
     let Some((&first, others)) = face.split_first() else {
         return Vec::new();
@@ -62,7 +62,8 @@ fn fan(face: &[u32]) -> Vec<[u32; 3]> {
     pairs.map(|pair| [first, pair[0], pair[1]]).collect()
 }
 
-/// The numbers of meshes that have as many as the first one, read on all processors.
+/// Reads the vertex coordinates of meshes in parallel; an error if one does not have `length`
+/// numbers, as the first mesh has.
 pub(super) fn like(first: &Path, length: usize, paths: &[PathBuf]) -> Result<Vec<Vec<f64>>> {
     parallel::map(0..paths.len() as u64, |index| {
         let path = &paths[index as usize];

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use raconteur_base::noise;
 use raconteur_faces::{AgeModel, DependentNumbers, FaceModel, FaceSpace, Segment, Segments};
 
-/// A pack of 40 faces of 12 numbers, in a folder.
+/// Writes a test pack of 40 faces with 12 numbers each into a folder.
 pub(super) fn pack(folder: &Path) -> PathBuf {
     let face = |face: u64| -> Vec<f64> { (0..12).map(|i| noise::signed(3, face, i)).collect() };
     let faces: Vec<Vec<f64>> = (0..40).map(face).collect();

@@ -94,7 +94,7 @@ fn names(given: &[String]) -> Result<Vec<String>> {
     Ok(names)
 }
 
-/// Some of the examples, by their indices, ascending.
+/// Returns a random selection of `count` example indices, ascending.
 fn draw(examples: usize, count: usize, seed: u64) -> Vec<usize> {
     let mut drawn: Vec<usize> = (0..examples).collect();
     drawn.sort_by_key(|&index| noise::hash(seed, index as u64, 0));
@@ -110,7 +110,7 @@ mod tests {
     use super::super::sample::pack;
     use super::*;
 
-    /// A form of 36 faces for two attributes.
+    /// Creates test options for a rating form of 36 faces and two attributes.
     fn sheet(pack: &Path, output: &Path) -> Sheet {
         Sheet {
             pack: pack.to_owned(),

@@ -1,4 +1,4 @@
-//! What espeak-ng tells, read.
+//! Parsing of espeak-ng's output.
 
 use super::*;
 use crate::content::Gender;

@@ -1,5 +1,5 @@
-//! What a build of espeak-ng tells whose events name phones by the International Phonetic
-//! Alphabet: its phones as mnemonics, which the sets of phones are of.
+//! Output of an espeak-ng build whose events name phones by the International Phonetic Alphabet:
+//! its phones as mnemonics, the symbols of the phone sets.
 
 use anyhow::Result;
 
@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn letters_become_the_mnemonics_of_their_place() {
-        // What espeak-ng told of "meinem Garten, sagte".
+        // espeak-ng's output for "meinem Garten, sagte".
         let heard = [
             "m", "ˌaɪ", "n", "ə", "m", "ɡ", "ˈa", "ɾ", "t", "ə", "n", "", "", "z", "ˈɑː", "ɡ", "t",
             "ə", "", "",

@@ -1,4 +1,4 @@
-//! What espeak-ng speaks with: a language, and perhaps a variant of its voice.
+//! espeak-ng voices: a language, and optionally a variant of its voice.
 
 use std::collections::BTreeSet;
 
@@ -106,7 +106,7 @@ pub(super) fn voice_of(file: &str, about: &str) -> Option<VoiceInfo> {
         language: tag(language),
         gender: match value("gender").and_then(|g| g.split_whitespace().next()) {
             Some("female") => Some(Gender::Female),
-            // Its voices are of a man unless they say otherwise.
+            // Its voices are male unless specified otherwise.
             _ => Some(Gender::Male),
         },
         phone_set: phone_set(set(language)).to_owned(),

@@ -1,4 +1,4 @@
-//! Kokoro with a network that lasts a frame for every letter.
+//! Kokoro with a network that lasts one frame for every letter.
 
 use super::*;
 use crate::spoken::Token;

@@ -1,5 +1,5 @@
-//! Words in the network's letters: of the author, of the dictionaries, of a word that they have
-//! with an ending, or guessed.
+//! Words in the network's letters: from the author, from the dictionaries, from a known word with
+//! an ending, or guessed.
 
 use anyhow::{Context as _, Result};
 

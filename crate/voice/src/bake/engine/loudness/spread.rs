@@ -1,8 +1,8 @@
-//! Which words lie between which pauses, where only their letters and punctuation are known.
+//! Distribution of words between pauses, where only their letters and punctuation are known.
 //!
-//! Every longer pause is the end of some word: of those, one after another, that together need the
-//! least stretching of what lies between, and the fewest pauses without punctuation and commas
-//! without a pause. The weights are *designed*.
+//! Every longer pause is the end of some word. The selected sequence needs the least stretching of
+//! the words in between, and the fewest pauses without punctuation and commas without a pause. The
+//! weights are *designed*.
 
 /// Unit spoken as one word.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,8 +95,8 @@ impl Words {
         times.extend(self.longest_pauses(pauses, total_secs));
         times.push(total_secs);
         let secs_a_letter = total_secs / self.between(0, self.count()).max(1.0);
-        // For each time the words that may end there, with the least cost and the place of the
-        // way there in the row before.
+        // For each time, the words that may end there, with the least cost and the index of the
+        // predecessor in the previous row.
         let mut rows: Vec<Vec<(usize, f64, usize)>> = vec![vec![(0, 0.0, 0)]];
         for (i, pair) in times.windows(2).enumerate() {
             let left = times.len() - 2 - i;
@@ -119,7 +119,7 @@ impl Words {
         let mut anchors = Vec::with_capacity(rows.len());
         let mut place = 0;
         for (row, secs) in rows.iter().rev().zip(times.iter().rev()) {
-            // No way: pauses are too near each other for words between them.
+            // No solution: pauses are too close together for words between them.
             let Some((word, _, before)) = row.get(place) else {
                 return vec![(0, 0.0), (self.count(), total_secs)];
             };
@@ -166,7 +166,7 @@ mod tests {
     fn pauses_are_where_punctuation_is_near() {
         let text = "one two, three four five, six";
         assert_eq!(ends(text, &[(0.7, 0.4), (1.6, 0.4)], 2.0), [0, 2, 5, 6]);
-        // A short one is none, and one far from any comma is after the nearest word.
+        // A short pause does not count, and one far from any comma follows the nearest word.
         assert_eq!(ends(text, &[(0.7, 0.1)], 2.0), [0, 6]);
         assert_eq!(ends("one two six ten", &[(1.0, 0.4)], 2.0), [0, 2, 4]);
     }

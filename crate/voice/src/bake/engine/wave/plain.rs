@@ -1,9 +1,9 @@
-//! WAV as programs write it, brought into the one form that the decoder reads.
+//! WAV as written by various programs, converted to the one form that the decoder reads.
 //!
-//! Programs that write into a pipe do not know the length beforehand and leave 0 or the largest
-//! number; chunks of odd length come with the byte that fills them; the form may stand behind the
-//! data; samples of 64 bits are beyond the decoder. Only the header is written anew, so that the
-//! decoder stays the only one that makes numbers of samples; those of 64 bits become 32.
+//! Programs that write to a pipe do not know the length beforehand and leave 0 or the largest
+//! number; chunks of odd length include their padding byte; the format chunk may follow the data;
+//! samples of 64 bits exceed the decoder. Only the header is rewritten, so that only the decoder
+//! converts samples to numbers; those of 64 bits become 32.
 
 use anyhow::{Context as _, Result, ensure};
 
@@ -119,7 +119,7 @@ enum Data<'a> {
 /// Returns the format description and the samples, in any order; the first of each counts.
 fn chunks(bytes: &[u8]) -> Result<(Option<&[u8]>, Option<Data<'_>>)> {
     let (mut form, mut data) = (None, None);
-    // RF64 tells the length in a chunk of its own.
+    // RF64 specifies the length in a separate chunk.
     let mut long = None;
     let mut at = 12;
     while let Some(length) = u32_at(bytes, at + 4) {
@@ -179,7 +179,7 @@ fn header(form: &Form) -> Vec<u8> {
     out.extend(form.bits.to_le_bytes());
     out.extend(22_u16.to_le_bytes());
     out.extend(form.bits.to_le_bytes());
-    // No places of speakers: channels become their mean.
+    // No speaker positions: channels are averaged.
     out.extend([0; 4]);
     out.extend(form.tag.to_le_bytes());
     out.extend(GUID);
