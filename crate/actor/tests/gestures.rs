@@ -165,7 +165,7 @@ fn by_joint_the_elbow_turns_steadily_and_the_wrist_swings() {
     let expected = rig.wrist_of(&a.lerp(&b, 0.25));
     assert!(
         plan.sample(2.25).wrist.distance(expected) < 3e-3,
-        "the wrist is halfway along its arc"
+        "the wrist follows the interpolated joints"
     );
 }
 
@@ -231,7 +231,7 @@ fn phases_take_the_times_that_the_script_gives_them() {
     let partial = at(6.0);
     assert!(
         partial.distance(TO) > 0.05 && partial.distance(rest) > 0.05,
-        "the interrupted retraction is between both positions"
+        "the partial retraction ends between stroke and rest"
     );
     assert_eq!(plan.state_at(6.5), HandState::Busy);
     assert!(
@@ -251,7 +251,7 @@ fn a_first_key_with_a_course_is_reached_by_it_from_the_beginning_of_its_stroke()
     let way = |t: f64| plan.sample(t).wrist.distance(FROM) / TO.distance(FROM);
     assert!(
         way(3.0) < 1e-9,
-        "the first key starts its path at the stroke"
+        "the wrist stays at the last key until the stroke"
     );
     assert!((way(3.25) - 0.25).abs() < 1e-9, "{}", way(3.25));
 }

@@ -1,4 +1,5 @@
-//! Shipped animations: each is readable, closes, stays within human joint ranges and stands.
+//! Shipped animations: each is readable, closes, stays within human joint ranges and keeps its
+//! planted feet in place.
 
 use std::fs;
 use std::path::PathBuf;

@@ -301,7 +301,7 @@ fn joints_turn_the_way_they_say() {
     // Hanging: x down, y left, z front.
     assert!(
         (turn * DVec3::X).y < -0.99 && (turn * DVec3::Y).x > 0.99,
-        "the hanging arm turns its axes"
+        "the axes of the hanging arm point down and to the left"
     );
     assert!(
         degrees(Limb::LeftArm, 0, 90.0).0.x > 0.55,
@@ -318,7 +318,7 @@ fn joints_turn_the_way_they_say() {
         );
         assert!(
             degrees(limb, 2, 90.0).0.z > 0.2,
-            "the third angle turns the forearm forwards"
+            "the third angle bends the forearm forwards"
         );
     }
     assert!(
@@ -331,28 +331,28 @@ fn joints_turn_the_way_they_say() {
     );
     assert!(
         degrees(Limb::RightLeg, 2, 90.0).0.z < -0.3,
-        "the right hip turns the shank backwards"
+        "the bent right knee moves the shank backwards"
     );
     // Pronation turns the thumb (front) inwards, a bent wrist the hand; the toes go down.
     assert!(
         (degrees(Limb::LeftArm, 3, 60.0).1 * DVec3::Z).x < -0.5,
-        "the left wrist flexes inwards"
+        "pronation turns the left thumb inwards"
     );
     assert!(
         (degrees(Limb::RightArm, 3, 60.0).1 * DVec3::Z).x > 0.5,
-        "the right wrist flexes inwards"
+        "pronation turns the right thumb inwards"
     );
     assert!(
         (degrees(Limb::LeftArm, 5, 60.0).1 * DVec3::X).x < -0.5,
-        "the left forearm rolls inwards"
+        "the bent left wrist turns the hand inwards"
     );
     assert!(
         (degrees(Limb::LeftArm, 4, 30.0).1 * DVec3::X).z > 0.4,
-        "the left hand bends aside"
+        "the left wrist deviates forwards"
     );
     assert!(
         (degrees(Limb::LeftLeg, 4, 40.0).1 * DVec3::Z).y < -0.5,
-        "the left foot points down"
+        "the left toes point down"
     );
 }
 

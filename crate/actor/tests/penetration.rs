@@ -114,7 +114,10 @@ impl Face {
         let is_hard = |m: &&Mesh| m.name == "teeth" || m.name == "gums";
         let hard = self.figure.meshes.iter().filter(is_hard);
         let teeth: Vec<[DVec3; 3]> = hard.flat_map(|mesh| rigid(mesh, &jaw)).collect();
-        assert!(teeth.len() > 3000, "the teeth have more than 3000 vertices");
+        assert!(
+            teeth.len() > 3000,
+            "the teeth have more than 3000 triangles"
+        );
         Drawn { skin, lips, teeth }
     }
 }
@@ -245,7 +248,7 @@ fn what_is_pushed_in_is_found() {
     assert_apart(&drawn, "at rest");
     assert!(
         drawn.lips.iter().all(|l| l.len() > 1000) && drawn.skin.len() > 20_000,
-        "lips and skin have enough vertices"
+        "lips and skin are complete"
     );
     let moved = |l: usize, by: DVec3| -> Vec<[DVec3; 3]> {
         drawn.lips[l].iter().map(|t| t.map(|p| p + by)).collect()

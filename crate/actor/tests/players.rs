@@ -19,7 +19,7 @@ fn nothing_played_leaves_the_pose_to_the_bit() {
             .players
             .apply(&stage.skeleton, 0.5, &mut pose)
             .is_none(),
-        "no animation returns an offset"
+        "players without an animation have no effect"
     );
     assert_eq!(pose, Pose::zero());
     assert_eq!(stage.pose(9.0), idle(&stage.skeleton));

@@ -1,20 +1,7 @@
-//! Hand shapes: the angles of the 20 finger joints by number, and the resulting local rotations of
-//! the 15 finger bones.
-//!
-//! The numbers are those of the gesture dictionary of Portuguese sign language (LGP) that GEVH uses
-//! for its hands (section 3.5, figures 3.13 and C.4). It describes only shape 7, the "open-like
-//! claw" of the greeting; **all other numbers and all angles are designed** (chosen by eye and
-//! solved for contacts), after
-//! - letters and digits: the SignWriting symbols of the LGP fingerspelling alphabet
-//!   (github.com/sign-language-processing/signwriting, `fingerspelling/data/psr.json`);
-//! - proportions of bends: `HamNoSys` shapes of github.com/upf-gti/performs,
-//!   `js/sigml/HandShape.js`;
-//! - limits of every joint: F&H table 6.4.
-//!
-//! Where a fingertip touches another part (a pinch, a thumb across a fist), the angles were solved
-//! by damped least squares on the surface of the generated hand, pad against pad with at most 3 mm
-//! between them, and stored in whole degrees. Closed fingers are opened at the knuckle until their
-//! tips only touch the palm.
+//! The angles of fingertip contacts (a pinch, a thumb across a fist) were solved by damped least
+//! squares on the surface of the generated hand, pad against pad with at most 3 mm between them,
+//! and stored in whole degrees. Closed fingers are opened at the knuckle until their tips only
+//! touch the palm.
 //!
 //! Conventions. Angle zero is a flat hand whose fingers run parallel to the forearm, with the thumb
 //! as in the zero pose of GEVH table A.1 (40° radial, 26° palmar). Flexion bends towards the palm;
@@ -338,9 +325,12 @@ mod tests {
         for (claw, fist) in tips(7, Side::Left).iter().zip(tips(14, Side::Left)).take(4) {
             assert!(
                 claw.x > knuckle.x + 0.03 && (*claw - fist).length() > 0.05,
-                "the claw is away from the knuckle and from the fist"
+                "the claw is open and far from the fist"
             );
-            assert!(claw.y < knuckle.y - 0.02, "the claw is below the knuckle");
+            assert!(
+                claw.y < knuckle.y - 0.02,
+                "the fingertips are below the knuckle"
+            );
         }
     }
 
@@ -354,7 +344,7 @@ mod tests {
         for (blended, end) in blend_rotations(&ra, &rb, 1.0).iter().zip(rb) {
             assert!(
                 blended.1.angle_between(end.1) < 1e-6,
-                "the fully blended thumb is the other end"
+                "the full blend equals the second hand shape"
             );
         }
     }

@@ -174,7 +174,7 @@ fn broken_bindings_in_files_are_refused() {
             fault(&refer("weights", weights, &nodes.to_string())),
             ReadError::OutOfRange { .. }
         ),
-        "weights with the accessor of the nodes are rejected"
+        "weights with a sum above 1 are rejected"
     );
     // One that points nowhere.
     let beyond = refer("weights", weights, "-1");

@@ -150,7 +150,7 @@ fn the_extension_is_declared_as_it_is_specified() {
     assert_eq!(buffers.len(), 2);
     assert!(
         bin.len() - number(&buffers[0], "byteLength") < 4,
-        "the file ends with its padded buffer"
+        "the first buffer covers the binary chunk"
     );
     assert_eq!(
         buffers[1]["extensions"][EXTENSION],

@@ -149,12 +149,12 @@ mod tests {
         for bytes in [vec![], vec![0xff, 0xd8], vec![0xff; 100], whole.clone()] {
             assert!(
                 decode(&image("image/jpeg", bytes)).is_err(),
-                "a truncated JPEG is rejected"
+                "an invalid JPEG is rejected"
             );
         }
         assert!(
             decode(&image("image/webp", whole)).is_err(),
-            "a mislabelled image is rejected"
+            "an unsupported image type is rejected"
         );
         // A header that claims more than the limit.
         let huge = png_file(png::ColorType::Grayscale, (9000, 1), &[0; 9000]);

@@ -170,7 +170,7 @@ fn text_that_is_not_utf8_is_named_and_does_not_stop_the_rest() {
     let out = raconteur(&["timeline", "--format", "json"], &file);
     assert!(
         String::from_utf8_lossy(&out.stdout).contains("voice-text"),
-        "the valid file is still checked"
+        "the timeline of the valid parts is printed"
     );
 }
 
@@ -384,7 +384,7 @@ fn a_new_story_plays_wherever_it_is() {
     let told = String::from_utf8_lossy(&checked.stderr).into_owned();
     assert!(checked.status.success() && told.is_empty(), "{told}");
     let posed = run(&["pose", "first", "--at", "1", "--digest"]);
-    assert!(posed.status.success(), "the new story renders a pose");
+    assert!(posed.status.success(), "the pose of the new story succeeds");
     // Library messages must not reach the output, for example about a missing session or an invalid
     // session folder.
     for session in [None, Some("/no/such/folder"), Some("first/story.eml")] {

@@ -51,7 +51,7 @@ fn hello_world_greets_when_its_words_are_spoken() {
     assert!((keys[1] - world).abs() < 1e-9, "{keys:?} {world}");
     assert!(
         world > voice + 0.2,
-        "the greeting is performed when it is spoken"
+        "the mark is at least 0.2 s after the speech starts"
     );
 }
 
@@ -176,7 +176,7 @@ fn the_dance_knows_every_function() {
     assert_eq!(text.matches("animationSetName").count(), 1);
     assert!(
         text.contains("animationSetName='hand-shape-1'><tracks><ref name='hands'/>"),
-        "the dance refers to its hand shapes"
+        "the only animation holds the fingers"
     );
 }
 
@@ -319,6 +319,6 @@ fn a_file_that_is_not_there_keeps_nothing_else_from_being_baked() {
     );
     assert!(
         !folder.path().join("voice").exists(),
-        "a story with a missing file is not baked"
+        "no voice folder is created"
     );
 }

@@ -267,7 +267,7 @@ mod tests {
         assert!(pairs.all(|(a, b)| is_near(*a, *b)), "{labels:?}");
         assert!(
             rated(&lines).labels(0).is_empty(),
-            "constant ratings give no labels"
+            "too few faces give no labels"
         );
         let against = [("a", 0, 1.0), ("a", 1, -1.0), ("b", 0, -1.0), ("b", 1, 1.0)];
         assert_eq!(rated(&against).labels(2), [Some(0.0), Some(0.0)]);

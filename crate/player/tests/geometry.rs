@@ -131,7 +131,7 @@ fn live_clauses_switch_it_for_good() {
     );
     assert!(
         shown(&mut player, 308.5).frames,
-        "the clause of the later fragment takes effect"
+        "an earlier clause keeps its effect"
     );
 }
 
@@ -157,7 +157,7 @@ fn a_leg_has_a_handle_while_its_manipulator_leads_it() {
     );
     assert!(
         player.frame(0.5, 1.6).handles.is_empty(),
-        "no handle is visible without its manipulator"
+        "no handle exists before the manipulator starts"
     );
     let wanted = player.units().world_point([7.5, 20.0, -10.0]);
     let handles = &player.frame(4.0, 1.6).handles;

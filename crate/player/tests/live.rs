@@ -101,7 +101,7 @@ fn a_waiting_figure_speaks_a_baked_line_and_tells_of_it() {
     let turn = closed.matrix3.inverse() * open.matrix3;
     assert!(
         (turn.col(0).x - 1.0).abs() > 1e-4,
-        "the figure turns during the line"
+        "the jaw opens during the speech"
     );
     assert!(
         player.speech_at(5.4).is_some() && player.speech_at(7.0).is_none(),
@@ -217,7 +217,7 @@ fn times_may_name_what_has_passed_and_what_is_to_come() {
     assert_eq!(codes(&performed), ["eml::unknown-name"]);
     assert!(
         performed.clauses.is_empty(),
-        "a past time is rejected without clauses"
+        "an unknown time name leaves no clauses"
     );
 }
 

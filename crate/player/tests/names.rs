@@ -128,7 +128,7 @@ fn a_fragment_knows_the_players_of_the_story_and_no_others() {
     let slips = SLIPS.iter().filter(|s| s.0 == "eml::unknown-player");
     assert!(
         slips.clone().count() >= 4,
-        "at least 4 unknown names are reported"
+        "at least 4 cases have an unknown player"
     );
     for (code, clause, meant) in slips {
         let found = live(clause);

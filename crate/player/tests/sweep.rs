@@ -158,7 +158,7 @@ fn nothing_would_make_a_viewer_wince(figure: &str) {
         "the example stories include jabberwocky"
     );
     let told = share(&stories, turn(figure), FIGURES.len());
-    assert!(!told.is_empty(), "the sweep reports its checks");
+    assert!(!told.is_empty(), "the figure has at least one story");
     let figure = read(figure);
     let mut wrong = Vec::new();
     for story in &told {

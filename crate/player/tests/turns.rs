@@ -221,7 +221,7 @@ fn what_is_interrupted_ends_and_is_not_heard_of_again() {
         let next = player.perform(1, LINE, at + 10.0);
         assert!(
             next.clauses[0].start_secs < at + 10.3,
-            "the following clauses are moved forwards"
+            "a later fragment starts without delay"
         );
     }
 }

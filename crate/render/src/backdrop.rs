@@ -211,11 +211,11 @@ mod tests {
             let ray = (still[0] + still[1] * x + still[2] * y) * 2.5;
             assert!(
                 (ray.dot(across) / ray.dot(over) - x).abs() < 1e-5,
-                "the horizontal slope of the ray"
+                "the horizontal position of the ray in the still"
             );
             assert!(
                 (ray.dot(upwards) / ray.dot(over) - y).abs() < 1e-5,
-                "the vertical slope of the ray"
+                "the vertical position of the ray in the still"
             );
         }
     }

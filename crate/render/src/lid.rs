@@ -158,7 +158,7 @@ mod tests {
         let [upper, rest @ ..] = LidEdge::from_figure(&figure);
         assert!(
             rest.iter().all(Option::is_none),
-            "a figure without a lid joint has no edge"
+            "the other lids have no edge"
         );
         for closed in [0.0, 0.2, 0.4] {
             let turn = DAffine3::from_translation(centre)

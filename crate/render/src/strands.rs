@@ -340,7 +340,7 @@ mod tests {
         };
         assert!(
             row(500) * 3 < row(200),
-            "the tips have fewer strips than the roots"
+            "the tips have less coverage than the roots"
         );
     }
 

@@ -186,7 +186,7 @@ fn blending_on_the_device_agrees_with_blending_here() {
     let alone_at = [upper, fore].map(|j| project(&frame.camera, place(j)));
     assert!(
         ops::hypot(alone_at[0].0 - alone_at[1].0, alone_at[0].1 - alone_at[1].1) > 5.0,
-        "the vertex moves by more than 5 pixels"
+        "both joints alone project to different points"
     );
     let green = |i: &usize| with[4 * i + 1] > with[4 * i].saturating_add(30);
     let seen: Vec<usize> = differing(&empty, &with, 12)

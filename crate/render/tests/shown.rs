@@ -85,7 +85,7 @@ fn without_the_body_an_empty_stage_is_left_and_bones_stand_on_it() {
     let mut lonely = headless(Quality::High);
     assert!(
         empty == draw(&mut lonely, &frame, Visibility::default()),
-        "an empty stage renders without the body"
+        "the stage without the body equals an empty stage"
     );
     let bones = Visibility {
         bones: true,
@@ -94,7 +94,7 @@ fn without_the_body_an_empty_stage_is_left_and_bones_stand_on_it() {
     let skeleton = draw(&mut device, &frame, bones);
     let seen = differing(&empty, &skeleton, 20);
     assert!(seen > 250, "{seen} pixels");
-    // Over the body, the handles look the same as without it.
+    // Over the body, the bones look the same as without it.
     let both = Visibility {
         body: true,
         ..bones

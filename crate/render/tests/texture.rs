@@ -250,7 +250,7 @@ fn what_is_no_picture_is_an_error_and_changes_nothing() {
         .expect("one that nothing shows is let go");
     assert!(
         red == draw(&mut device, &frame),
-        "the rejected image leaves the rendering unchanged"
+        "an image without a texture leaves the rendering unchanged"
     );
 }
 

@@ -96,7 +96,7 @@ fn the_stream_tells_what_plain_sums_do() {
     let mut bound = BoundMesh::new(mesh, 100).expect("bound");
     assert!(
         bound.current.iter().all(|v| *v == TissueVertex::REST),
-        "an initial tissue is at rest"
+        "the initial stream is at rest"
     );
     assert!(nodes.update(&states), "the first update changes the tissue");
     bound.apply(&nodes, 0);
@@ -219,7 +219,7 @@ fn bound_vertices_move_with_their_nodes_and_not_with_the_chin() {
     let free = draw(&mut device, &closed);
     assert!(
         differing(&free, &draw(&mut device, &frame), 12) > 100,
-        "the bound vertices change the image"
+        "unbound vertices move with the chin"
     );
     bind_to_one(&mut figure.meshes[0]);
     device.set_figure(&figure).expect("a sound figure");
@@ -246,7 +246,7 @@ fn bound_vertices_move_with_their_nodes_and_not_with_the_chin() {
     }];
     assert!(
         differing(&edges, &draw(&mut device, &frame), 12) > 100,
-        "the edges change the image"
+        "the wireframe moves with the nodes"
     );
 }
 
@@ -382,7 +382,7 @@ fn furrows_are_darker_and_redder() {
     let (deep, level, high) = (at(50), at(128), at(200));
     assert!(
         level.iter().zip(high).all(|(a, b)| (a - b).abs() < 1.0),
-        "the level surface keeps its colour"
+        "a raised surface keeps the colour of a level one"
     );
     assert!((0..3).all(|c| deep[c] < level[c]), "{deep:?} {level:?}");
     assert!(
@@ -465,6 +465,6 @@ fn lines_lie_over_the_body_and_faintly_behind_it() {
     // No lines are left when none are requested.
     assert!(
         without == draw(&mut device, &frame),
-        "the image without lines equals that of the body"
+        "the image without lines is unchanged"
     );
 }

@@ -405,7 +405,7 @@ mod tests {
         let points = [&square[..], &inside, &square[1..3]].concat();
         assert!(
             (hull_length(&points) - 4.0).abs() < 1e-12,
-            "the hull of a square has its perimeter"
+            "the hull ignores inner and repeated points"
         );
     }
 

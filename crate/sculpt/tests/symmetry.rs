@@ -134,7 +134,7 @@ fn what_is_asked_of_both_halves_alike_both_do_alike() {
         let vertex_partners = partners(&bound);
         assert!(
             rest.len() > 2000 && bound.len() > 8000,
-            "the head has enough free and bound vertices"
+            "the head has enough nodes and bound vertices"
         );
         assert!(node_partners.iter().all(|own| !own.is_empty()), "{name}");
         assert!(vertex_partners.iter().all(|own| !own.is_empty()), "{name}");

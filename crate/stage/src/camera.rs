@@ -329,13 +329,13 @@ mod tests {
         let middle = shot.target_in_world + DVec3::Y * 0.3;
         assert!(
             (seen.target_in_world - middle).length() < 1e-12,
-            "the target of the camera stays in place"
+            "the target moves up by 30 cm"
         );
         // From the figure's left, at half the distance.
         let eye = middle + DVec3::X * (0.5 * distance);
         assert!(
             (seen.eye_in_world - eye).length() < 1e-9,
-            "the camera returns to its position"
+            "the camera is on the left at half the distance"
         );
         // Its right edge is then the figure's back.
         let aside = View {
@@ -345,7 +345,7 @@ mod tests {
         let moved = aside.apply(&shot).target_in_world - middle;
         assert!(
             (moved - DVec3::NEG_Z * 0.2).length() < 1e-9,
-            "the camera moves by 20 cm"
+            "the target moves sideways by 20 cm"
         );
         let above = View {
             tilt_rad: 9.0,
@@ -354,7 +354,7 @@ mod tests {
         let from = above.apply(&shot);
         assert!(
             (from.eye_in_world - from.target_in_world).y < 0.5 * distance,
-            "the camera does not rise above half its distance"
+            "the tilt of the view is limited"
         );
     }
 

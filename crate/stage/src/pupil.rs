@@ -51,7 +51,7 @@ mod tests {
         );
         assert!(
             at("stage", 1.0) > at("stage", 0.0) + 0.5,
-            "fear widens the pupils"
+            "arousal widens the pupils"
         );
         for (name, light) in Lighting::PRESETS {
             let mut last = 0.0;

@@ -335,7 +335,7 @@ mod tests {
         // The waist is visible on a phone, not on a desktop (ANSUR: 0.61 to 0.62).
         assert!(
             Span::at_rest(0.46).bottom < 0.6 && Span::at_rest(1.78).bottom > 0.61,
-            "the bottom of the frame follows the stature"
+            "the waist is visible on a phone only"
         );
     }
 

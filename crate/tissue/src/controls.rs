@@ -254,7 +254,7 @@ mod tests {
             face.close_lids(0.5);
             assert!(
                 (face.upper_lid[0] - (lid + 1.0) / 2.0).abs() < 1e-12,
-                "the blink halves a wide eye"
+                "half a blink moves the lid halfway to closed"
             );
             face.close_lids(1.0);
             assert_eq!(face.upper_lid, [1.0; 2]);

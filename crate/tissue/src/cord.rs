@@ -74,7 +74,10 @@ mod tests {
         // Moved as a whole, it is moved as a whole.
         let lifted = asked.map(|y| y + 0.25);
         for (a, b) in spread_of(asked, lifted).iter().zip(lifted) {
-            assert!((a - b).abs() < 1e-6, "both sides of the ring are equal");
+            assert!(
+                (a - b).abs() < 1e-6,
+                "a common displacement moves the whole cord"
+            );
         }
     }
 }

@@ -311,7 +311,7 @@ mod tests {
         assert_eq!(place_of(&felt, 1).activation, 60.0);
         assert!(
             place_of(&felt, 3).is_neutral(),
-            "the word after the phrase is neutral"
+            "a word outside the span is neutral"
         );
     }
 
@@ -375,7 +375,7 @@ mod tests {
             };
             moved_pauses(&plan.sentences, core::slice::from_ref(&spoken), &|_| place).remove(0)
         };
-        assert!(count(0.0).is_empty(), "a neutral delivery has no pauses");
+        assert!(count(0.0).is_empty(), "a neutral emotion moves no pauses");
         assert_eq!(count(70.0).len(), 1);
         assert!(count(70.0)[0].1 > 0.0, "excitement adds pauses");
         assert_eq!(count(-70.0).len(), 1);

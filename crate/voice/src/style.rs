@@ -207,7 +207,7 @@ mod tests {
         let own = named.with(&Markup::Rate(Setting::Default), "");
         assert!(
             own.rate.is_default(),
-            "the element's own value replaces the rate"
+            "the default replaces the nested rates"
         );
     }
 

@@ -116,7 +116,7 @@ fn too_much_is_refused() {
     let long = format!("<maryxml><t sampa='{}'/></maryxml>", "a".repeat(1001));
     assert!(
         read(Format::MaryXml, long.as_bytes()).is_err(),
-        "too many segments are rejected"
+        "1001 phones in one token are rejected"
     );
     let many = "a 1\n".repeat(1_000_001);
     let fault = read(Format::Mbrola, many.as_bytes()).unwrap_err();

@@ -200,7 +200,7 @@ fn sizes_are_bounded() {
     let deep = |n: usize| format!("{}a{}", "<x>".repeat(n), "</x>".repeat(n));
     assert!(
         sable::read(&deep(300)).is_ok() && sable::read(&deep(500)).is_err(),
-        "the limit of nesting is between 300 and 500"
+        "the limit of unknown elements is between 300 and 500"
     );
     assert!(
         sable::read(&"a".repeat(raconteur_voice::markup::MAX_DOCUMENT_BYTES)).is_ok(),

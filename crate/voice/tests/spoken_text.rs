@@ -129,7 +129,7 @@ fn a_lexicon_goes_before_everything() {
     assert_eq!(german[2].ipa.as_deref(), Some("ˈknaːbə"));
     assert!(
         german[1].ipa.is_none(),
-        "the word of another language has no pronunciation"
+        "a respelled word has no pronunciation"
     );
     // It also serves languages that are not read here.
     assert_eq!(joined(&say("un gif.", "fr").concat()), "un jiff.");

@@ -39,7 +39,7 @@ mod tests {
         if is_long() {
             assert!(
                 shares.into_iter().all(|s| s == all),
-                "every tier selects all tests once"
+                "each share is everything in the long tier"
             );
             return;
         }

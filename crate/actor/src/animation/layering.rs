@@ -179,14 +179,14 @@ mod tests {
         l.cover(&layer(0.2, 0.25));
         assert!(
             (skull(&l).0 - 0.8).abs() < 1e-9,
-            "the upper layer alone sets the angle"
+            "the upper layer counts by its share"
         );
         // Without a layer below, the value counts fully and the share is that of the layer.
         let mut l = BlendedLayers::EMPTY;
         l.cover(&layer(0.2, 0.25));
         assert!(
             (skull(&l).0 - 0.2).abs() < 1e-9 && (skull(&l).1 - 0.25).abs() < 1e-12,
-            "the lower layer keeps its angle and share"
+            "without a layer below, the angle counts fully"
         );
     }
 

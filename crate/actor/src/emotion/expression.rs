@@ -186,11 +186,11 @@ mod tests {
         // The sums are 0.8 and 0.4: half of the first remains, nothing of the second.
         assert!(
             (face.values[M::OrbicularisOrisUpper.index()] - 0.3).abs() < 1e-12,
-            "the upper orbicularis oris keeps the stronger value"
+            "the upper half of the ring keeps half of its value"
         );
         assert!(
             (face.values[M::OrbicularisOrisLower.index()] - 0.1).abs() < 1e-12,
-            "the lower orbicularis oris keeps the stronger value"
+            "the lower half of the ring keeps half of its value"
         );
         assert_eq!(face.values[M::RisoriusLeft.index()], 0.0);
     }

@@ -380,7 +380,7 @@ fn the_middle_of_the_space_is_calm() {
         let near = ExpressionWeights::from_point(on_disc(77.0, 1e-9), space).expression();
         assert!(
             apart(&near, &Expression::default()) < 1e-9,
-            "the centre of the space is the neutral expression"
+            "a point near the centre is nearly neutral"
         );
     }
 }

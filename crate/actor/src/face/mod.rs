@@ -352,7 +352,7 @@ mod tests {
         assert_eq!(pose.upper_lid_rad, [0.8, 0.7]);
         assert!(
             pose.rotation(Bone::Chin).to_scaled_axis().z > 0.19,
-            "the skull tissue figure rolls its chin bone"
+            "the jaw joint opens when the skin follows the tissue"
         );
     }
 

@@ -277,7 +277,7 @@ mod tests {
         );
         assert!(
             (a.depth_m(&a, DVec3::Y * 0.2)).abs() < 1e-12,
-            "the depth changes by the offset"
+            "two capsules that touch have a depth of 0"
         );
     }
 

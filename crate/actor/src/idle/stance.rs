@@ -273,12 +273,12 @@ mod tests {
             let (there, turned, looks) = leg.placed(&pelvis, solved);
             assert!(
                 there.distance(at) < 1e-9 && turned.angle_between(foot) < 1e-6,
-                "the ankle solved again is where it was"
+                "the ankle reaches the position and rotation of the goal"
             );
             for (q, again) in solved.iter().zip(leg.solve(&pelvis, there, turned, looks)) {
                 assert!(
                     q.angle_between(again) < 1e-6,
-                    "the hip solved again has the same rotation"
+                    "solving the placed leg gives the same rotations"
                 );
             }
         }

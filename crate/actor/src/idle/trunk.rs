@@ -154,15 +154,15 @@ mod tests {
         let up = DVec3::X;
         assert!(
             (spine(0.3, 0.0, 0.0) * up).y > 0.2,
-            "the first spine angle tilts upwards"
+            "the first spine angle tilts forwards"
         );
         assert!(
             (spine(0.0, 0.3, 0.0) * up).z > 0.2,
-            "the second spine angle tilts forwards"
+            "the second spine angle tilts to the left"
         );
         assert!(
             (spine(0.0, 0.0, 0.3) * DVec3::Y).z > 0.2,
-            "the third spine angle turns forwards"
+            "the third spine angle turns to the left"
         );
     }
 
@@ -186,7 +186,7 @@ mod tests {
         assert_eq!(r.speaking(3.5), 0.0);
         assert!(
             r.speaking(2.25) > 0.4 && r.speaking(4.75) > 0.4,
-            "speech has faded in and has not faded out"
+            "speech fades out after 2 s and in before 5 s"
         );
         assert!(
             (r.spoken_before(5.5) - 1.5).abs() < 1e-12,

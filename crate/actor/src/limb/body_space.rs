@@ -301,7 +301,10 @@ mod tests {
                 );
             }
         }
-        assert!(moved > 100, "more than 100 points move");
+        assert!(
+            moved > 100,
+            "a moved point is at the surface of trunk or head"
+        );
     }
 
     #[test]

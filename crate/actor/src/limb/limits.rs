@@ -259,7 +259,7 @@ mod tests {
         let [least, most] = degrees(Limb::LeftArm, Sex::Male, 3);
         assert!(
             (most - least - 151.9).abs() < 1e-9,
-            "the range between both limits"
+            "the range of the male left forearm"
         );
     }
 }

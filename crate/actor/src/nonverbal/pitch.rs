@@ -182,7 +182,7 @@ mod tests {
         assert!(
             out.iter()
                 .any(|e| e.height == 0.0 && e.at_secs > 10.6 && e.at_secs < 11.8),
-            "a pitch minimum lies inside the phrase"
+            "a pitch minimum lies between the two maxima"
         );
     }
 

@@ -237,11 +237,11 @@ mod tests {
         // Two at one boundary: the higher one counts. A far target is approached late.
         assert!(
             (head(2.04) - 0.4).abs() < 1e-12 && head(8.19) == head(2.04),
-            "the head holds 0.4 between both keys"
+            "of two keys at one boundary, the higher one counts"
         );
         assert!(
             (head(9.0) - 0.5).abs() < 1e-12,
-            "the head is halfway back at 9 s"
+            "the head is at half height at 9 s"
         );
     }
 }

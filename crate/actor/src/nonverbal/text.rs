@@ -168,7 +168,7 @@ mod tests {
         }
         assert!(
             out[0].height > out[2].height,
-            "the first accent is higher than the third"
+            "the first accent is higher than the second"
         );
     }
 }

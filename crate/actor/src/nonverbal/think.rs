@@ -162,7 +162,7 @@ mod tests {
         assert!(slow.iter().all(|ms| *ms == 0 || *ms > 850), "{slow:?}");
         assert!(
             lengths(9.0).iter().all(|ms| *ms == 0),
-            "no lip is moistened after the pause"
+            "the lips are not moistened in any pause"
         );
     }
 }

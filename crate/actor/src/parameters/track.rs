@@ -293,7 +293,7 @@ mod tests {
         let mouth = half.visemes(1.0).expect("a mouth");
         assert!(
             (mouth.channel(Channel::Jaw) - 0.325).abs() < 1e-12,
-            "the mean jaw opening of both visemes"
+            "half a viseme opens the jaw by half"
         );
         let shut = track(vec![set("PP", 1.0)]).visemes(1.0).expect("a mouth");
         assert_eq!((shut.press, shut.channel(Channel::LipOpen)), (1.0, 0.0));

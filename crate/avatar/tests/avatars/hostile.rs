@@ -95,7 +95,10 @@ fn faults_are_named() {
     });
     assert!(huge.contains("more numbers"), "{huge}");
     let big = tampered(&|j| j["nodes"][3]["scale"] = serde_json::json!([1e300, 1e300, 1e300]));
-    assert!(!big.is_empty(), "the oversized file is not empty");
+    assert!(
+        !big.is_empty(),
+        "the fault of an excessive scale has a message"
+    );
 }
 
 /// Replaces a number of the JSON by a hostile word.

@@ -77,7 +77,7 @@ fn compressed(file: &File) -> (Value, Vec<u8>) {
         }
         bin.resize(bin.len().next_multiple_of(4), 0);
     }
-    assert!(fallback > 0, "the file has fallback buffers");
+    assert!(fallback > 0, "at least one view is compressed");
     json["buffers"] = json!([
         { "byteLength": bin.len() },
         { "byteLength": fallback, "extensions": { EXTENSION: { "fallback": true } } },

@@ -182,7 +182,7 @@ fn the_rest_pose_is_kept_in_the_bind() {
             .iter()
             .map(|p| p[2])
             .fold(f32::MIN, f32::max);
-        assert!(toe > 0.1, "the toe is in front of the ankle");
+        assert!(toe > 0.1, "the nose points to +z");
     }
 }
 

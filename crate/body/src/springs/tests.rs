@@ -196,5 +196,8 @@ fn other_numbers_lose_chains_and_colliders_whose_joints_are_lost() {
         springs.chains[0].links[0].joint + 1
     );
     let lost = springs.renumbered(&|j| (j != springs.chains[0].links[2].joint).then_some(j));
-    assert!(lost.chains.is_empty(), "chains without joints are removed");
+    assert!(
+        lost.chains.is_empty(),
+        "a chain with a lost joint is removed"
+    );
 }

@@ -66,7 +66,7 @@ pub fn assert_valid(bytes: &[u8]) {
         match read(&bytes[..n]) {
             Greeting::Begun => assert!(
                 n < MAX_GREETING_BYTES,
-                "the greeting is within its size limit"
+                "an incomplete greeting is below its size limit"
             ),
             Greeting::Told(token) => {
                 assert!(

@@ -24,7 +24,7 @@ fn a_bake_that_is_stopped_leaves_a_whole_bundle() {
         let workshop = BakeFixture::new();
         assert!(
             workshop.bake("1.0", &[]).status().unwrap().success(),
-            "the bake after the interruption succeeds"
+            "the first bake succeeds"
         );
         assert_eq!(whole(&workshop), "1.0");
         fs::remove_file(workshop.path("log")).unwrap();
@@ -46,7 +46,7 @@ fn a_bake_that_is_stopped_leaves_a_whole_bundle() {
         // The next bake succeeds without special treatment and cleans up.
         assert!(
             workshop.bake("1.5", &[]).status().unwrap().success(),
-            "the bake with another rate succeeds"
+            "the bake after the interruption succeeds"
         );
         assert_eq!(whole(&workshop), "1.5");
         assert_eq!(workshop.names().len(), STEPS + 1, "{:?}", workshop.names());

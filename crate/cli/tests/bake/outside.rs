@@ -1,5 +1,5 @@
-//! Containment: nothing outside a story's folder and the library is opened, whatever its folder and
-//! texts name; the file layer's own log is the evidence.
+//! Containment: nothing outside a story's folder and the library is opened, regardless of the names
+//! in its folder and texts; the file layer's own log is the evidence.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -229,7 +229,7 @@ fn no_folder_of_a_story_is_taken_for_the_library() {
         );
         assert!(
             !workshop.path("outside/voice/speech.json").exists(),
-            "nothing is written outside the library"
+            "nothing is written outside the story"
         );
         assert_eq!(
             fs::read(workshop.path("outside/speech.json")).unwrap(),

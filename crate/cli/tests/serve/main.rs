@@ -138,7 +138,10 @@ fn minds_share_one_storyteller() {
         "the second mind's fragment is accepted"
     );
     let told = std::iter::repeat_with(|| receive(&mut first)).find(|l| l["payload"] == "from two");
-    assert!(told.is_some(), "the second mind's events are received");
+    assert!(
+        told.is_some(),
+        "the first mind receives the event of the second"
+    );
     // Too long for a fragment is refused, too long for a message ends the connection.
     let long = |n: usize| {
         Message::text(format!(
@@ -342,7 +345,7 @@ fn a_websocket_is_told_why_it_is_closed() {
     let is_hello = |m: &Message| m.to_text().is_ok_and(|t| t.contains("hello"));
     assert!(
         again.any(|m| m.is_ok_and(|m| is_hello(&m))),
-        "the second connection is greeted"
+        "a connection succeeds after a mind has left"
     );
 }
 

@@ -162,7 +162,7 @@ mod tests {
         assert!(script.contains("handedness='right'"), "{script}");
         assert!(
             script.contains("e1+1.2'"),
-            "the second sentence starts 1.2 s after the first"
+            "the script contains the time after the second sentence"
         );
     }
 
@@ -213,7 +213,7 @@ mod tests {
         let script = script_of(&text);
         assert!(
             !script.contains("<voice-say") && !script.contains('🙂'),
-            "the script contains neither markup nor emoji"
+            "the markup is escaped and emoji are removed"
         );
         assert!(script.len() < 40 * 600, "{}", script.len());
     }

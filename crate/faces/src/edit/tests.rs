@@ -231,7 +231,7 @@ fn halves_are_apart_and_a_move_is_one() {
     editor.transform(&mut turned, &round, &Region::whole_head());
     assert!(
         farthest(&turned.shape, &before.shape, 0..VERTICES) < 1e-12,
-        "the move turned back restores the shape"
+        "a full turn restores the shape"
     );
 }
 
@@ -258,7 +258,7 @@ fn caricature_and_detail_are_of_one_part() {
     editor.add_detail(&mut sharp, &before, Part::Texture, -USUAL_DETAIL);
     assert!(
         farthest(&sharp.texture, &before.texture, 0..VERTICES) < 1e-12,
-        "the detail of zero leaves the texture unchanged"
+        "the opposite detail restores the texture"
     );
 }
 

@@ -66,7 +66,7 @@ fn a_pack_holds_its_model_to_a_small_part_of_a_deviation() {
     let [a, b] = [&model, &again].map(|m| m.cage.evaluate(face));
     assert!(
         a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 0.01),
-        "the pack restores the coefficients"
+        "the pack restores the cage"
     );
     assert_eq!(again.attributes[0].terms[1], "wide");
     assert_eq!(

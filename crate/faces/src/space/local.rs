@@ -194,7 +194,7 @@ mod tests {
         assert_eq!(again.dimensions(), 5);
         assert!(
             space.with_local(&faces, &[vec![1.0; 3]]).is_err(),
-            "a local mode of the wrong size is rejected"
+            "a signal of the wrong length is rejected"
         );
     }
 }

@@ -282,7 +282,7 @@ mod tests {
         assert_eq!(utterance_emotion(&throughout, &timed, Some("joy")), None);
         assert!(
             utterance_emotion(&throughout, &timed, Some("fear")).is_some(),
-            "an elicited emotion of another word is expressed"
+            "an emotion other than the elicited one is expressed"
         );
         assert!(
             utterance_emotion(&throughout, &timed, None).is_some(),

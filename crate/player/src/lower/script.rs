@@ -192,7 +192,7 @@ impl Script {
             .collect();
         let mut clauses = self.timeline.clauses.iter();
         let first = clauses.find(|c| is_gesture(&self.document, c.clause));
-        // The author who requests it knows.
+        // An author who sets the run-up expects the delay.
         let is_asked = self.document.run_up.is_some();
         if let Some(first) = first.filter(|_| self.waits_secs > UNSEEN_SECS && !is_asked) {
             let message = format!(

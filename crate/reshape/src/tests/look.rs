@@ -300,7 +300,7 @@ fn a_bald_crown_is_skin() {
         .map(|name| reshaper.scalp_paint(&figure, &lent(name), &Hair::default()));
     assert!(
         crown.bare.len() > 300 && crown.corners.len() > 300,
-        "the crown is bare and the sides are not"
+        "the scalp has both bare and haired parts"
     );
     assert!(
         none.bare.len() > crown.bare.len() && none.corners.is_empty(),
@@ -316,7 +316,7 @@ fn a_bald_crown_is_skin() {
     };
     assert!(
         shade(&with(&reshaper, &bald, [1.0; 3])) > shade(&reshaper.figure),
-        "the bald crown has the colour of the skin"
+        "the bald head receives more light"
     );
 }
 

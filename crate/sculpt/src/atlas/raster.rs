@@ -180,13 +180,10 @@ mod tests {
             beside.blend([[0, 1, 2], [0, 2, 3]][beside.triangle as usize].map(|v: usize| uv[v][0]));
         assert!(
             (u * SIZE as f64 - (SIZE as f64 / 4.0 - 2.5)).abs() < 1e-3,
-            "the margin continues the square"
+            "the texel blends to its own position"
         );
         let twice = Raster::new(&uv, &[[0, 1, 2], [0, 2, 3], [0, 1, 2]]);
-        assert!(
-            twice.overlaps > inside / 3,
-            "the second square overlaps the first"
-        );
+        assert!(twice.overlaps > inside / 3, "a repeated triangle overlaps");
     }
 
     #[test]
@@ -199,7 +196,7 @@ mod tests {
         for p in picture {
             assert!(
                 (0.0..=0.75).contains(&p.unwrap()[1]),
-                "the filled texel is between its neighbours"
+                "the filled texel is within the range of the known ones"
             );
         }
     }

@@ -464,11 +464,11 @@ fn sex_and_age_show() {
     };
     assert!(
         width(0.0, 35.0, 1.4) > width(1.0, 35.0, 1.4) * 1.03,
-        "the male hand is wider"
+        "the male finger is wider"
     );
     assert!(
         width(0.0, 75.0, 1.0) > width(0.0, 35.0, 1.0) * 1.04,
-        "the old hand is wider"
+        "the old finger is wider"
     );
     // A child's finger tapers; its joints do not protrude.
     let knot = |age: f64| width(0.5, age, 1.0) / width(0.5, age, 1.4);

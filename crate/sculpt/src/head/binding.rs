@@ -445,7 +445,7 @@ mod tests {
         let ends = Side::BOTH.map(|side| bound.places[&(Mark::Cage(TRAGION), side)]);
         assert!(
             (ends[0] + ends[1]).length() < 1e-9,
-            "the ends mirror each other about the origin"
+            "both tragions are symmetric about the origin"
         );
     }
 
@@ -469,7 +469,7 @@ mod tests {
         let shipped = crate::people::preset("sofia").unwrap();
         assert!(
             shipped.head.bound.to_text().len() > half.len(),
-            "the head of the person is complete"
+            "the truncated table is shorter than the complete one"
         );
         for broken in [
             "",

@@ -246,7 +246,7 @@ pub(super) fn sway(bound: &ModelHeadShape, key: Key, side: Side) -> DVec3 {
     let at = |key| bound.asymmetry(key, side);
     match key {
         Key::Eye(ring, _) => at(key) * EYE_SWAYS[usize::from(ring)],
-        // Lip positions that meet are merged.
+        // Lips that meet share their asymmetry at the contact line.
         Key::Mouth(ring @ 2.., k) => {
             let (k, other) = (usize::from(k), 12 - usize::from(k));
             let ring = ring.min(5);

@@ -85,7 +85,7 @@ mod tests {
         let p = DVec3::new(31.0, 10.0, 80.0);
         assert!(
             own(p).distance(p) < 1e-9,
-            "the warp maps each mean vertex to itself"
+            "the warp to the same head is the identity"
         );
     }
 }

@@ -119,7 +119,7 @@ mod tests {
         );
         assert!(
             of_heads("{\"nose\": 1}").is_err(),
-            "an invalid pair of heads is rejected"
+            "an invalid list of details is rejected"
         );
     }
 }

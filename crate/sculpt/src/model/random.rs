@@ -96,7 +96,7 @@ mod tests {
         // Half of them are women, and a third mainly of each ancestry.
         assert!(
             (110..190).contains(&share(|p| p.sex > 0.5)),
-            "about half of the people are male"
+            "about half of the people are of each sex"
         );
         let mainly_asian: fn(&Traits) -> bool =
             |p| p.ancestry.asian > p.ancestry.african.max(p.ancestry.european);

@@ -242,13 +242,13 @@ mod tests {
         // Height over the surface does not count; the other side of a fold does.
         assert!(
             (at(10.0, 0.0, 1.0) - at(10.0, 0.0, 0.0)).abs() < 1e-9,
-            "the mark is the same at any depth"
+            "the height above the surface does not count"
         );
         assert_eq!(at(10.0, 0.0, 8.0), 0.0);
         assert_eq!(at(10.0, 3.0, 0.0), 0.0);
         assert!(
             (at(0.0, 9.0, 0.0) - 0.7).abs() < 1e-9,
-            "the strength of the second mark"
+            "the strength of the spot"
         );
         assert_eq!(at(500.0, 0.0, 0.0), 0.0);
         assert_eq!(

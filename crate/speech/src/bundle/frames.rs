@@ -120,7 +120,7 @@ mod tests {
             let octaves = semitones_of_code(code_of_hz(hz)).unwrap() / 12.0;
             assert!(
                 (MIN_HZ * ops::exp(octaves * LN_2) - back).abs() < 1e-9,
-                "the frequency round trips within half a step"
+                "the pitch in semitones equals the frequency"
             );
         }
         for tenth in -1_000..200 {

@@ -333,7 +333,7 @@ fn the_stronger_has_more_of_its_way_and_the_weaker_gives() {
     );
     assert!(
         moved[usize::from(2 * RING) + 13][0] > 0.5 * alone,
-        "the weaker muscle gives way by at most half"
+        "the stronger muscle keeps more than half of its path"
     );
 }
 

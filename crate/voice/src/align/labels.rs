@@ -223,7 +223,7 @@ mod tests {
         );
         assert!(
             Context::parse("x^x-pau+hh=ax@x_x/A:0_0_0/B:x-x-x@x-x").is_none(),
-            "a truncated context is rejected"
+            "the context of a silence has no syllable"
         );
     }
 }

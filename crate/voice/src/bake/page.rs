@@ -328,7 +328,7 @@ mod tests {
         for _ in 0..3 {
             assert!(
                 saying.step(&options).unwrap(),
-                "the engine gets ready before it speaks"
+                "the engine is not ready yet"
             );
         }
         assert!(saying.take_sounds().is_empty(), "no audio is ready yet");

@@ -230,7 +230,7 @@ mod tests {
         );
         assert!(
             MissingPrograms::not_found(&[]).into_result().is_ok(),
-            "a complete list of programs is accepted"
+            "no missing program is not an error"
         );
     }
 }

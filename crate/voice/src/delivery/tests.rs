@@ -132,7 +132,7 @@ fn direct_speech_has_a_style_of_its_own_and_authors_win() {
             .filter(|w| !w.is_empty())
             .collect();
         assert_eq!(quoted, expected, "{text}");
-        assert!(!own.is_empty(), "direct speech has a style");
+        assert!(!own.is_empty(), "some words are not direct speech");
     }
     let mut style = Style::default();
     style.pitch_middle = style.pitch_middle.with(Setting::Value(300.0));

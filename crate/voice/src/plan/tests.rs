@@ -160,7 +160,7 @@ fn another_language_or_speaker_is_a_sentence_of_its_own() {
     assert_eq!(p.sentences[1].sentence.language, "de");
     assert!(
         p.sentences[0].continues && !p.sentences[2].continues,
-        "the first part continues and the third starts a sentence"
+        "the first part continues and the last one does not"
     );
 }
 

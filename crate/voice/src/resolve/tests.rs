@@ -152,7 +152,7 @@ fn what_is_read_as_one_is_told_apart_from_its_neighbour() {
     assert_eq!(together[2], together[3]);
     assert!(
         together[1] != together[2] && together[4] > together[3],
-        "neighbouring spans have their own style"
+        "adjacent groups have different numbers"
     );
     assert_eq!(together[5], None);
 }

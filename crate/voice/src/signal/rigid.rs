@@ -128,17 +128,17 @@ mod tests {
         let map = time_map(0.2, &|_| 2.0, &[(-1.0, 9.0)]);
         assert!(
             (map.after(0.2) - 0.2).abs() < 1e-9,
-            "an impossible total length is ignored"
+            "fully rigid audio keeps its duration"
         );
         let map = time_map(0.2, &|_| 99.0, &[]);
         assert!(
             (map.after(0.2) - 1.0).abs() < 1e-9,
-            "the requested total length is reached"
+            "the duration factor is limited to 5"
         );
         let map = time_map(0.0105, &|_| f64::NAN, &[(f64::NAN, 0.004)]);
         assert!(
             (map.after(0.0105) - 0.0105).abs() < 1e-12,
-            "the time in the rigid span is unchanged"
+            "invalid factors and spans change nothing"
         );
     }
 }

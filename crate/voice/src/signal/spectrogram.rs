@@ -183,7 +183,7 @@ mod tests {
         );
         assert!(
             low.levels[low.width * 130..].iter().any(|l| *l > 200),
-            "the lower rows contain the tone"
+            "the lower rows contain the noise"
         );
     }
 }

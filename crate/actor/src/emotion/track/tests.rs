@@ -181,7 +181,7 @@ fn emotions_are_set_by_name() {
     let zygomaticus = raconteur_body::face::Muscle::ZygomaticusMajorLeft.index();
     assert!(
         (mixed[zygomaticus] - 0.5 * (0.8 - 0.2)).abs() < 1e-12,
-        "the mixed zygomaticus is the mean of its emotions"
+        "the antagonists of both emotions are subtracted"
     );
 }
 

@@ -66,7 +66,7 @@ fn open_ends_are_where_the_limb_is() {
             .position
             .distance(DVec3::new(0.3, 1.5, 0.2))
             < 1e-9,
-        "an open path stays at its last key"
+        "the path ends at its goal"
     );
 }
 

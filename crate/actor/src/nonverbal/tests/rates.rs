@@ -339,7 +339,7 @@ fn only_the_left_brow_follows_the_pitch() {
     };
     assert!(
         tops[0].len() > 1000,
-        "more than 1000 brow raises are compared"
+        "more than 1000 samples of raised brows are compared"
     );
     assert!(
         spread(&tops[0]) > 0.2 && spread(&tops[1]) < 0.02,

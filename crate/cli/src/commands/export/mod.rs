@@ -338,7 +338,7 @@ mod tests {
         }
         assert!(
             names[4].starts_with("1-") && names[6].starts_with("fr-sche-"),
-            "non-Latin titles have a fallback file name"
+            "file names keep the ASCII letters of the title"
         );
     }
 

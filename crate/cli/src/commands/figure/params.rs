@@ -181,7 +181,7 @@ mod tests {
         let own = r#"{"person": {"stature_m": 1.6}, "hand": {"length": 1.1}}"#;
         assert!(
             as_long(&parse(own).unwrap()) > 1.05 * as_long(&params),
-            "the given proportion takes precedence"
+            "a shorter person has shorter hands"
         );
     }
 

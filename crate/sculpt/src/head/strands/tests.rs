@@ -125,7 +125,7 @@ fn lower_lashes_are_two_fifths_of_the_upper() {
     let darkest = |row: &[Strand]| row.iter().map(|l| l.cover).fold(0.0, f64::max);
     assert!(
         darkest(&lower) < darkest(&upper),
-        "the lower lashes are lighter"
+        "the lower lashes have less coverage"
     );
 }
 

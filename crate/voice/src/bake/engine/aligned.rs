@@ -361,7 +361,7 @@ mod tests {
         }
         assert!(
             tokens_of(&words(&["25"]), &["twenty", "five"]).is_ok(),
-            "the words of the same text are accepted"
+            "a number in digits matches its words"
         );
     }
 

@@ -304,7 +304,7 @@ mod tests {
         assert!(mary.version().is_err(), "nobody listens any more");
         assert!(
             Mary::new("localhost").is_err(),
-            "an address without a scheme is rejected"
+            "an address without a port is rejected"
         );
     }
 }

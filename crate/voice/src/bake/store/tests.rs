@@ -86,22 +86,22 @@ fn wherever_a_bake_is_stopped_the_bundle_is_the_old_or_the_new_one() {
                 let dir = tempfile::tempdir().unwrap();
                 let open = || Store::open(dir.path().to_owned(), &Real);
                 publish(&open(), &old).unwrap();
-                assert!(
-                    is_whole(dir.path(), &old),
-                    "the interrupted bake leaves the old bundle intact"
-                );
+                assert!(is_whole(dir.path(), &old), "the first bundle is intact");
                 let disk = Faulty::at_step(k, then);
                 let result = publish(&Store::open(dir.path().to_owned(), &disk), &new);
                 let (is_old, is_new) = (is_whole(dir.path(), &old), is_whole(dir.path(), &new));
                 assert!(is_old || is_new, "seed {seed}, step {k}, {then:?}");
                 if result.is_ok() {
-                    assert!(is_new, "the last bake is the new bundle");
+                    assert!(is_new, "a successful bake leaves the new bundle");
                     break;
                 }
                 stops += 1;
                 // The next bake corrects it and leaves nothing behind.
                 publish(&open(), &new).unwrap();
-                assert!(is_whole(dir.path(), &new), "the completed bundle is intact");
+                assert!(
+                    is_whole(dir.path(), &new),
+                    "the next bake completes the new bundle"
+                );
                 let files = fs::read_dir(dir.path()).unwrap().count();
                 let names: BTreeSet<&Vec<u8>> = new.iter().flat_map(|(.., e)| e).collect();
                 assert_eq!(files, names.len() + 1, "seed {seed}, step {k}");
@@ -176,9 +176,12 @@ fn every_change_of_a_sound_is_seen() {
     fs::remove_file(&path).unwrap();
     assert_eq!(open().sound(1), Some(Sound::Wrong));
     fs::write(&path, b"a sound").unwrap();
-    assert!(open().has(1, 2), "the store has the written audio");
+    assert!(open().has(1, 2), "restored audio is in the store");
     fs::write(dir.path().join("speech.json"), "{").unwrap();
-    assert!(!open().has(1, 2), "changed audio is not in the store");
+    assert!(
+        !open().has(1, 2),
+        "without a readable bundle, the store has no audio"
+    );
 }
 
 /// A bundle as earlier bakes wrote it.
@@ -206,7 +209,7 @@ fn sounds_of_earlier_bakes_are_kept_when_they_are_what_is_said_of_them() {
     let mut store = Store::open(dir.path().to_owned(), &Real);
     assert!(
         !store.has(0xaa, 7) && store.get(0xaa).is_none(),
-        "audio that does not match its hash is not in the store"
+        "audio without a digest is not in the store"
     );
     assert_eq!(store.sound(0xaa), Some(Sound::Untold));
     store.adopt(0xaa, 8, &|_, _| true).unwrap();
@@ -215,21 +218,18 @@ fn sounds_of_earlier_bakes_are_kept_when_they_are_what_is_said_of_them() {
     store.adopt(0xaa, 7, &only_opus).unwrap();
     assert!(!store.has(0xaa, 7), "one of its sounds is another's");
     store.adopt(0xaa, 7, &|_, _| true).unwrap();
-    assert!(
-        store.has(0xaa, 7),
-        "audio that matches its hash is in the store"
-    );
+    assert!(store.has(0xaa, 7), "adopted audio is in the store");
     let bundle = bundle(vec![store.get(0xaa).unwrap()]);
     store.write(&bundle).unwrap();
     assert!(
         !store.is(&bundle).unwrap(),
-        "the changed bundle is out of date"
+        "a bundle with unused files is not up to date"
     );
     assert_eq!(store.remove_unused(&bundle).unwrap(), 2, "the old names");
     let store = Store::open(dir.path().to_owned(), &Real);
     assert!(
         store.has(0xaa, 7) && store.is(&bundle).unwrap(),
-        "the restored bundle is up to date"
+        "the bundle without unused files is up to date"
     );
     let sound = store.get(0xaa).unwrap().audio[0].file.clone();
     assert_eq!(fs::read(dir.path().join(sound)).unwrap(), b"sound opus");

@@ -202,7 +202,7 @@ mod tests {
         assert_eq!(of("+16Hz"), Some(vec![Factor(1.1)]));
         assert!(
             height("+16Hz").unwrap().1.is_some(),
-            "a change in hertz is read"
+            "a change in hertz is reported"
         );
         for bad in [
             "", "120", "0Hz", "-100%", "-200Hz", "high ish", "1e5Hz", "st",
