@@ -1,3 +1,16 @@
+//! Hand shapes: the angles of the 20 finger joints by number, and the resulting local rotations of
+//! the 15 finger bones.
+//!
+//! The numbers are those of the gesture dictionary of Portuguese sign language (LGP) that GEVH uses
+//! for its hands (section 3.5, figures 3.13 and C.4). It describes only shape 7, the "open-like
+//! claw" of the greeting; **all other numbers and all angles are designed** (chosen by eye and
+//! solved for contacts), after
+//! - letters and digits: the SignWriting symbols of the LGP fingerspelling alphabet
+//!   (github.com/sign-language-processing/signwriting, `fingerspelling/data/psr.json`);
+//! - proportions of bends: `HamNoSys` shapes of github.com/upf-gti/performs,
+//!   `js/sigml/HandShape.js`;
+//! - limits of every joint: F&H table 6.4.
+//!
 //! The angles of fingertip contacts (a pinch, a thumb across a fist) were solved by damped least
 //! squares on the surface of the generated hand, pad against pad with at most 3 mm between them,
 //! and stored in whole degrees. Closed fingers are opened at the knuckle until their tips only

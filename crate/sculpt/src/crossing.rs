@@ -7,17 +7,18 @@ use raconteur_base::DVec3;
 use raconteur_base::mirror_vector;
 use raconteur_body::figure::{Figure, MaterialKind};
 
-/// Skin of a figure, including the mouth cavity, with coincident vertices merged.
+/// Skin of a figure, including the mouth cavity, with coincident vertices merged; input of the
+/// search for self-intersections.
 #[derive(Clone, Debug, Default)]
 pub struct Skin {
-    /// Positions, metres.
+    /// Positions of the merged vertices, metres.
     pub points: Vec<DVec3>,
-    /// Counter-clockwise from outside.
+    /// Triangles over [`Self::points`], counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl Skin {
-    /// That of a figure in the bind pose.
+    /// Collects the skin of a figure in the bind pose.
     #[must_use]
     pub fn from_figure(figure: &Figure) -> Self {
         let mut places: BTreeMap<[u32; 3], u32> = BTreeMap::new();

@@ -17,7 +17,8 @@ use crate::population;
 use crate::skin::SkinParams;
 use crate::skin::tone::Tones;
 
-/// Generator of the examples of a crowd.
+/// Generator of random heads in correspondence, the examples from which the face space of a crowd
+/// is learned.
 pub struct Examples<'m> {
     model: &'m Model,
     details: Vec<Detail>,
@@ -31,7 +32,7 @@ pub struct Examples<'m> {
     seed: u64,
 }
 
-/// The mean of the figures' details.
+/// Computes the mean amounts of the head details over the bundled figures.
 fn centre() -> BTreeMap<String, f64> {
     let mut sums: BTreeMap<String, f64> = BTreeMap::new();
     let figures: Vec<FigureParams> = people::NAMES
@@ -47,7 +48,7 @@ fn centre() -> BTreeMap<String, f64> {
 /// Maximum amount of a detail.
 const MAX_DETAIL: f64 = 0.95;
 
-/// Randomly generated person before the crowd is matched to its population.
+/// Randomly generated person before the crowd is matched to the statistics of its population.
 #[derive(Clone, Debug)]
 pub struct Draft {
     /// The person of the body model.
@@ -61,7 +62,8 @@ pub struct Draft {
     pub bound: ModelHeadShape,
 }
 
-/// One head.
+/// Random head of a crowd with its skin, tone and measures; one example for learning the face
+/// space.
 #[derive(Clone, Debug)]
 pub struct Example {
     /// Person, with the head matched to the population.
@@ -85,7 +87,7 @@ pub struct Example {
 }
 
 impl Example {
-    /// A measure by its name, millimetres.
+    /// Returns the measure with a name, millimetres; `None` for an unknown name.
     #[must_use]
     pub fn measure(&self, name: &str) -> Option<f64> {
         let found = self.measures.iter().find(|(known, _)| *known == name);
@@ -100,20 +102,20 @@ impl Example {
         Some(DVec3::from_array(*p) * 1e3)
     }
 
-    /// The amount of a field by its name.
+    /// Returns the amount of the local field with a name; `None` for an unknown name.
     #[must_use]
     pub fn field(&self, name: &str) -> Option<f64> {
         self.draft.fields.get(field_index(name)?).copied()
     }
 
-    /// Returns an appearance number by name.
+    /// Returns the appearance number with a name, for example `moles`; `None` for an unknown name.
     #[must_use]
     pub fn look_value(&self, name: &str) -> Option<f64> {
         let index = looks::NAMES.iter().position(|known| *known == name)?;
         Some(self.draft.look[index])
     }
 
-    /// Shares of European, Asian and African ancestry.
+    /// Returns the shares of European, Asian and African ancestry, which sum to 1.
     #[must_use]
     pub fn ancestry(&self) -> [f64; 3] {
         let a = self.draft.traits.ancestry;
@@ -123,7 +125,8 @@ impl Example {
 }
 
 impl<'m> Examples<'m> {
-    /// The crowd of a seed; all but their heads is as in `like`.
+    /// Creates the generator of a crowd from a seed. The heads vary; everything else is taken from
+    /// `like`.
     ///
     /// # Errors
     /// When the model cannot be read.
@@ -194,7 +197,7 @@ impl<'m> Examples<'m> {
         both.map(posed).collect()
     }
 
-    /// The head of a draft.
+    /// Builds the head of a draft and takes its measures.
     #[must_use]
     pub fn make(&self, draft: Draft) -> Example {
         let params = params_of(&self.like, draft.traits.clone(), draft.bound.clone());
@@ -275,7 +278,8 @@ fn of_expressions(fields: &[f64], are_they: bool) -> Vec<f64> {
     own
 }
 
-/// The figure of a head: a body of the mean of sex and age; all else is as in `like`.
+/// Returns the parameters of a figure with this head: its body has mean measures for its sex and
+/// age, all else is taken from `like`.
 #[must_use]
 pub fn params_of(like: &FigureParams, traits: Traits, bound: ModelHeadShape) -> FigureParams {
     FigureParams {
@@ -294,7 +298,7 @@ pub fn params_of(like: &FigureParams, traits: Traits, bound: ModelHeadShape) -> 
     }
 }
 
-/// The triangles of a polygon.
+/// Splits a polygon into a fan of triangles about its first corner.
 fn fan(face: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
     face.windows(2)
         .skip(1)
@@ -317,7 +321,8 @@ pub fn measured_mm(place: &dyn Fn(&str) -> Option<DVec3>) -> Vec<(&'static str, 
         .collect()
 }
 
-/// A measure between two landmarks of the skin, millimetres.
+/// Returns the distance between the two landmarks of a measure on the skin, millimetres; `None` if
+/// a landmark is missing.
 fn distance_mm(measure: &KnownMeasure, place: &dyn Fn(&str) -> Option<DVec3>) -> Option<f64> {
     let (from, to) = measure.landmarks.split_once('-')?;
     // Paired landmarks are taken on the left.

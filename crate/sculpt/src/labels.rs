@@ -8,32 +8,33 @@ mod feature;
 use self::Affects::{Both, Shape, Texture};
 use crate::examples::Example;
 
-/// Part of a face that an attribute changes.
+/// Part of a face that an attribute changes: its shape, its texture or both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Affects {
     /// Only the shape.
     Shape,
     /// Only the texture.
     Texture,
-    /// Both.
+    /// Shape and texture.
     Both,
 }
 
 /// Definition of an attribute's range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Unit {
-    /// Two standard deviations of the examples from their mean.
+    /// Two standard deviations of the examples to each side of their mean.
     Deviations,
-    /// This much more or less than the mean.
+    /// Fixed amount to each side of the mean, in the unit of the label.
     Amount(f64),
 }
 
-/// A label that can be read off an example.
+/// Attribute of faces (F&H table 5.2) whose value is computed from an example head; input for
+/// learning its direction in the face space.
 #[derive(Clone, Copy, Debug)]
 pub struct Label {
-    /// Its group in Table 5.2.
+    /// Group of the attribute in F&H table 5.2.
     pub group: &'static str,
-    /// Its name.
+    /// Name of the attribute.
     pub name: &'static str,
     /// Terms for −1 and for +1.
     pub terms: [&'static str; 2],
@@ -46,7 +47,7 @@ pub struct Label {
     of: fn(&Example) -> Option<f64>,
 }
 
-/// The group of the course of a life.
+/// Name of the attribute group for the course of a life (age).
 pub const LIFE: &str = "life";
 /// Age at which growth ends, years.
 pub const GROWN_YEARS: f64 = 20.0;
@@ -57,7 +58,8 @@ fn share(example: &Example, of: &str, from: &str) -> Option<f64> {
     Some(example.measure(of)? / example.measure(from)?)
 }
 
-/// From the inner to the outer corner of an eye, across, millimetres.
+/// Returns the horizontal distance between the inner and the outer corner of an eye, millimetres;
+/// `None` without the measures.
 fn fissure_mm(example: &Example) -> Option<f64> {
     let [inner, outer] = ["inner_canthal_breadth", "outer_canthal_breadth"];
     Some((example.measure(outer)? - example.measure(inner)?) / 2.0)
@@ -87,14 +89,14 @@ fn angle(at: DVec3, a: DVec3, b: DVec3) -> f64 {
     ops::acos_clamped(a.dot(b))
 }
 
-/// The crest of a brow from its inner end, millimetres.
+/// Returns the crest of a brow from its inner end, millimetres; `None` if it has too few points.
 fn brow(example: &Example, side: Side) -> Option<&[DVec3]> {
     let [left, right] = &example.brows;
     let crest = if side == Side::Left { left } else { right };
     (crest.len() > 4).then_some(crest)
 }
 
-/// Height of a brow's middle over the line between its ends, millimetres.
+/// Returns the height of the brow's middle above the line between its ends, millimetres.
 fn brow_curve(example: &Example, side: Side) -> Option<f64> {
     let crest = brow(example, side)?;
     let (first, last) = (crest[1], crest[crest.len() - 1]);
@@ -139,8 +141,8 @@ const fn derived(mut label: Label, formula: &'static str) -> Label {
     label
 }
 
-/// All that can be read: Table 5.2 but for the level of caricature, which is no direction; and the course
-/// of a life, which is not straight.
+/// All attributes that can be computed: those of F&H table 5.2 except the level of caricature,
+/// which is no direction, and the course of a life, which is not straight.
 #[rustfmt::skip]
 pub const LABELS: [Label; 51] = [
     label("overall", "sex", ["masculine", "feminine"], Both, |e| known_value(e.draft.traits.sex)),
@@ -229,7 +231,7 @@ pub const LABELS: [Label; 51] = [
     label(LIFE, "ageing", ["young", "old"], Both, |e| known_value(e.draft.traits.age_years.max(GROWN_YEARS))),
 ];
 
-/// See its formula in [`LABELS`].
+/// Returns the attractiveness of an example; [`LABELS`] documents the formula.
 fn attractive(e: &Example) -> Option<f64> {
     let youth = -(e.draft.traits.age_years - 25.0).abs() / 20.0;
     let skin = -e.look_value("sun")? - e.look_value("vessels")? - 0.5 * e.look_value("moles")?;

@@ -5,7 +5,7 @@ use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side as Triangle};
 use raconteur_base::DVec3;
 
-/// A row of the least-squares matrix.
+/// Row of a sparse least-squares matrix: pairs of unknown and coefficient.
 pub(crate) type Terms = Vec<(u32, f64)>;
 
 /// Minimises Σ |row · x − value|² for three right-hand sides simultaneously; `None` if the problem

@@ -70,7 +70,8 @@ struct Focus {
 }
 
 impl Focus {
-    /// Around the mouth and both eyes, by the landmarks of the face.
+    /// Returns the focus areas of a face, which keep more triangles: the mouth and both eyes,
+    /// located by landmarks.
     fn of_face(figure: &Figure, annotations: &Annotations) -> Vec<Self> {
         let at = |name: &str| {
             let landmark = annotations.landmarks.iter().find(|l| l.name == name)?;
@@ -106,7 +107,7 @@ impl Lids {
         Self(lids.map(|(i, _)| i).collect())
     }
 
-    /// The share of a vertex that follows an upper lid.
+    /// Returns the share of a vertex that follows the joints of an upper lid, 0..1.
     fn weight(&self, mesh: &Mesh, vertex: usize) -> f32 {
         let pairs = mesh.joints[vertex].iter().zip(mesh.weights[vertex]);
         pairs
@@ -215,7 +216,7 @@ fn coarser(mesh: &Mesh, focus: &[Focus], locked: &[bool]) -> Vec<Vec<u32>> {
     levels
 }
 
-/// The attributes of all vertices, one vertex after the other.
+/// Returns the attributes that mesh simplification must preserve, vertex after vertex.
 fn attributes(mesh: &Mesh, focus: &[Focus]) -> Vec<f32> {
     // Texture coordinates of cloth are metres, of which the shader needs no exact ones.
     let uv_counts = f32::from(u8::from(mesh.material.kind.weave().is_none()));
@@ -239,9 +240,9 @@ fn attributes(mesh: &Mesh, focus: &[Focus]) -> Vec<f32> {
 struct Layers {
     at: Vec<DVec3>,
     normals: Vec<DVec3>,
-    /// By vertex, the piece of cloth that it is of.
+    /// Piece of cloth to which each vertex belongs.
     pieces: Vec<usize>,
-    /// By mesh, its first vertex.
+    /// First vertex of each mesh.
     first: Vec<usize>,
     cells: Cells,
 }
@@ -328,7 +329,7 @@ fn joints(mesh: &Mesh, vertex: usize) -> [f32; 3] {
     sum
 }
 
-/// The longest side of a mesh's bounding box, metres.
+/// Returns the longest side of the bounding box of a mesh, metres.
 fn extent_m(mesh: &Mesh) -> f32 {
     let bound = |pick: fn(f32, f32) -> f32, from: f32| {
         let mut corner = [from; 3];

@@ -7,7 +7,7 @@ use crate::FigureParams;
 use crate::model::Traits;
 use crate::skin::SkinParams;
 
-/// Count of numbers in a look.
+/// Number of values in a [`Look`].
 pub const COUNT: usize = 17;
 
 /// Names of a look's numbers, in order. All but the age are shares, 0 to 1 unless said otherwise.
@@ -41,7 +41,7 @@ pub const COLOURS: [&str; 6] = [
     "blue part of the brows",
 ];
 
-/// Look: numbers in the order of [`NAMES`].
+/// Appearance of a face apart from its shape: numbers in the order of [`NAMES`].
 pub type Look = [f64; COUNT];
 
 const MELANIN: usize = 0;
@@ -129,7 +129,8 @@ fn mix(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
     core::array::from_fn(|i| a[i] + (b[i] - a[i]) * t)
 }
 
-/// Linear RGB of an iris, from dark brown to light, and from amber to blue where it is light.
+/// Returns the linear RGB of the iris: from dark brown to light, and from amber to blue where it is
+/// light.
 #[must_use]
 pub fn iris(look: &Look) -> [f64; 3] {
     let light = between(look[IRIS_LIGHT], 0.0, 1.0);
@@ -142,12 +143,13 @@ pub fn iris(look: &Look) -> [f64; 3] {
 /// The darkest brows, linear RGB.
 const DARK_BROW: [f64; 3] = [0.014, 0.011, 0.009];
 
-/// The lightest, from blond to red.
+/// Returns the linear RGB of the lightest brow, from blond (`red` 0) to red (1).
 fn bright_brow(red: f64) -> [f64; 3] {
     mix([0.52, 0.46, 0.38], [0.50, 0.22, 0.09], red)
 }
 
-/// Linear RGB of brows, from black to light blond, browner or redder.
+/// Returns the linear RGB of the brows, from black to light blond, with a variable share of brown
+/// or red.
 #[must_use]
 pub fn brows(look: &Look) -> [f64; 3] {
     let light = between(look[BROW_LIGHT], 0.0, 1.0);
@@ -155,7 +157,7 @@ pub fn brows(look: &Look) -> [f64; 3] {
     mix(DARK_BROW, bright_brow(red), ops::pow(light, 1.6))
 }
 
-/// Returns a look's numbers, then those of [`COLOURS`].
+/// Returns the numbers of a look, then the natural logarithms of its [`COLOURS`].
 #[must_use]
 pub fn numbers(look: &Look) -> Vec<f64> {
     let colours = iris(look).into_iter().chain(brows(look));
@@ -212,7 +214,7 @@ pub fn look_of(figure: &FigureParams) -> Look {
     look
 }
 
-/// Returns a figure with this look.
+/// Returns the figure with its skin, irises and brows changed to a look.
 #[must_use]
 pub fn dress(figure: FigureParams, look: &Look) -> FigureParams {
     let mut figure = figure;

@@ -12,13 +12,13 @@ use super::torso::{CM, Cage, Field, Joints, Regions};
 use raconteur_body::figure::MaterialKind;
 use raconteur_body::skeleton::Bone;
 
-/// Body for which clothes and hair are made.
+/// Body and head of a person before clothes and hair, which are made to fit it.
 pub(super) struct Mannequin {
     /// The head in its own frame.
     pub(super) head: Head,
     /// Placement of the head.
     pub(super) world_from_head: DAffine3,
-    /// Its parts in the world; the first is the skin.
+    /// Parts of the head, world frame; the first is the skin.
     pub(super) head_parts: Vec<MeshPart>,
     pub(super) joints: Joints,
     pub(super) field: Field,
@@ -28,7 +28,7 @@ pub(super) struct Mannequin {
 }
 
 impl Mannequin {
-    /// That of a person.
+    /// Builds the mannequin of a person from the parameters of a figure.
     pub(super) fn from_params(params: &FigureParams) -> Self {
         let body = params.body();
         let mut joints = Joints::place(&body);

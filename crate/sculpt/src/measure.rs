@@ -9,7 +9,7 @@ use super::statistics::{Norm, Row, Source};
 use raconteur_body::annotation::Annotations;
 use raconteur_body::figure::Figure;
 
-/// One distance of a figure.
+/// Measurement of a figure: one distance, with the norm for the person's sex and age.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     /// Name, for example `nose_breadth`.
@@ -25,7 +25,7 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// Standard deviations from the mean.
+    /// Returns the deviation of the distance from the mean, in standard deviations.
     #[must_use]
     pub fn deviations(&self) -> f64 {
         (self.mm - self.norm.mean) / self.norm.sd
@@ -134,7 +134,8 @@ const HAND_BREADTH: Row = Row::new(
     Source::Ansur,
 );
 
-/// Position of a landmark, millimetres, world frame; of a pair without side the left one.
+/// Returns the position of a landmark, millimetres, world frame. The name of a pair without side
+/// selects the left one.
 #[must_use]
 pub fn landmark_mm(figure: &Figure, names: &Annotations, name: &str) -> Option<DVec3> {
     if let Some(side) = name.strip_prefix("p_") {

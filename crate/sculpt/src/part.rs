@@ -11,10 +11,10 @@ pub(crate) const TEETH: &str = "teeth";
 /// Name of the part that has the gums of both jaws.
 pub(crate) const GUMS: &str = "gums";
 
-/// One vertex of a part, bind pose.
+/// Vertex of a mesh part in the bind pose.
 #[derive(Clone, Debug)]
 pub struct PartVertex {
-    /// World position, metres.
+    /// Position in the bind pose, world, metres.
     pub position: DVec3,
     /// Texture coordinates; meaning by [`raconteur_body::figure::MaterialKind`].
     pub uv: [f64; 2],
@@ -25,11 +25,11 @@ pub struct PartVertex {
     pub weights: Vec<(JointRef, f64)>,
 }
 
-/// A joint named before the skeleton exists.
+/// Reference to a joint by its drive, usable before the skeleton exists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointRef(pub raconteur_body::skeleton::Drive);
 
-/// One morph target's part.
+/// Share of a mesh part in one morph target: displacements of its vertices.
 #[derive(Clone, Debug)]
 pub struct PartMorph {
     /// ARKit's name where one fits, for example `mouthPucker`.
@@ -38,18 +38,18 @@ pub struct PartMorph {
     pub deltas: Vec<(u32, DVec3)>,
 }
 
-/// One drawable region.
+/// Mesh with one material, for example the skin of the head; the parts are assembled to a figure.
 #[derive(Clone, Debug)]
 pub struct MeshPart {
     /// Name, for example `head`.
     pub name: String,
-    /// Surface.
+    /// Material of the surface.
     pub material: Material,
-    /// Vertices.
+    /// Vertices of the mesh.
     pub vertices: Vec<PartVertex>,
     /// Polygons of three or four corners, counter-clockwise from outside.
     pub faces: Vec<Vec<u32>>,
-    /// Morph targets.
+    /// Displacements of the vertices for each morph target.
     pub morphs: Vec<PartMorph>,
     /// Vertices that follow the tissue, rising, each with the nodes and weights it follows.
     pub bound: Vec<(u32, Vec<(u32, f64)>)>,

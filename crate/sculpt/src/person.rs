@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Sex, age and build of a person, without any measure of the face: survey means are looked up
-/// by it.
+/// Sex, age, stature and build of a person, by which survey means are selected; without measures of
+/// the face.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Person {
     /// 0 male to 1 female.

@@ -74,8 +74,8 @@ const fn define(
 const SHRINKING: [f64; 2] = [-0.75, -1.25];
 const STEADY: [f64; 2] = [0.0, 0.0];
 
-/// All measures of the body: means of men and women and their deviations in millimetres,
-/// share at nine, change a year.
+/// All measures of the body: means of men and women and their standard deviations in millimetres,
+/// share at the age of nine, change per year.
 #[rustfmt::skip]
 #[allow(
     clippy::redundant_closure_for_method_calls,
@@ -148,7 +148,7 @@ impl Physique<'_> {
         Some(points.iter().sum::<DVec3>() / points.len() as f64)
     }
 
-    /// The upper edge of a bone's outermost centimetre.
+    /// Returns the upper edge of the outermost centimetre of a bone; `None` for an unknown bone.
     fn outermost(&self, bone: &str) -> Option<DVec3> {
         let edge = self.farthest(bone, DVec3::X)?.x;
         let near = self.bones.get(bone)?.iter().filter(|p| p.x > edge - 0.01);
@@ -160,7 +160,7 @@ impl Physique<'_> {
         self.outermost("l_scapula")
     }
 
-    /// The ends of the radius, elbow and wrist, along the forearm.
+    /// Returns the ends of the radius (bone), at the elbow and at the wrist, along the forearm.
     fn radius(&self) -> Option<[DVec3; 2]> {
         let way = (self.joint(Bone::LWrist) - self.joint(Bone::LElbow)).normalize();
         Some([
@@ -169,7 +169,7 @@ impl Physique<'_> {
         ])
     }
 
-    /// From the acromion down to the hanging arm's radius.
+    /// Returns the length from the acromion down to the radius of the hanging arm, metres.
     fn upper_arm(&self) -> Option<f64> {
         let shoulder = self.joint(Bone::LShoulder);
         let [elbow, _] = self.radius()?;
@@ -189,7 +189,7 @@ impl Physique<'_> {
         Some(toe(1)?.max(toe(2)?) - heel + FOOT_PADS_M)
     }
 
-    /// A height: a share of stature, of an adult and of a child of nine.
+    /// Returns a height in metres from its shares of stature for an adult and for a child of nine.
     fn height(&self, adult: f64, boy: f64) -> f64 {
         let body = self.params.body();
         (adult + (boy - adult) * body.child()) * body.stature_m
@@ -237,7 +237,7 @@ impl Physique<'_> {
         girths.fold(f64::MAX, f64::min)
     }
 
-    /// Men's at the nipples, women's above the breasts.
+    /// Returns the girth of the chest, metres: at the nipples for men, above the breasts for women.
     fn chest_girth(&self) -> f64 {
         let body = self.params.body();
         let adult = if body.sex > 0.5 { 0.752 } else { 0.72 };
@@ -258,7 +258,8 @@ impl Physique<'_> {
         2.0 * self.heights(share).map(half).fold(0.0, f64::max)
     }
 
-    /// Largest girth of the leg between two parameters: 0 hip, 1 knee, 2 ankle.
+    /// Returns the largest girth of the leg between two parameters (0 hip, 1 knee, 2 ankle),
+    /// metres.
     fn leg_girth(&self, share: core::ops::Range<f64>) -> f64 {
         let [hip, knee, ankle] = [Bone::LHip, Bone::LKnee, Bone::LSubtalar].map(|b| self.joint(b));
         (0..=8)
@@ -274,7 +275,7 @@ impl Physique<'_> {
             .fold(0.0, f64::max)
     }
 
-    /// Round the neck's skin below the larynx, square to the neck.
+    /// Returns the girth of the neck's skin below the larynx, perpendicular to the neck, metres.
     fn neck_girth(&self) -> Option<f64> {
         let axis = (self.joint(Bone::Skull) - self.joint(Bone::Cervical)).normalize();
         let place = self.landmark("lar")? - axis * 0.006;
@@ -305,7 +306,7 @@ impl Physique<'_> {
     }
 }
 
-/// Length of a tape round a body at the height of a point inside, metres.
+/// Returns the length of a tape measure around a body at the height of an interior point, metres.
 pub(super) fn tape(field: &Field, centre: DVec3, regions: Regions) -> f64 {
     const RAYS: usize = 120;
     let points: Vec<DVec2> = (0..RAYS)
@@ -330,7 +331,8 @@ pub(super) fn tape(field: &Field, centre: DVec3, regions: Regions) -> f64 {
     hull_length(&points)
 }
 
-/// Perimeter of the convex hull of points (Andrew 1979: both halves from points in order).
+/// Returns the perimeter of the convex hull of points (Andrew 1979: both halves from sorted
+/// points).
 fn hull_length(points: &[DVec2]) -> f64 {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));

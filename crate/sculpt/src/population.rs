@@ -35,12 +35,12 @@ const CORRELATIONS: [[f64; 8]; 8] = [
 const COUNT: usize = Measure::COUNT;
 /// People are not farther from the mean of their sex and age, standard deviations.
 const MAX_DEVIATIONS: f64 = 2.8;
-/// Least eigenvalue of a matrix of correlations: below, measures would be functions of each other.
+/// Minimum eigenvalue of a correlation matrix: below it, measures would be functions of each other.
 const MIN_EIGENVALUE: f64 = 0.02;
 /// Number of rounds: measures are not exactly linear in a head's positions.
 const ROUNDS: usize = 3;
 
-/// Correlation of two measures, where it is known.
+/// Returns the published correlation of two measures; `None` if it is unknown.
 #[must_use]
 pub fn known_correlation(a: Measure, b: Measure) -> Option<f64> {
     let place = |m| KNOWN.iter().position(|known| *known == m);
@@ -156,7 +156,7 @@ fn regression(numbers: &Mat<f64>, own: &Mat<f64>) -> Mat<f64> {
     square.full_piv_lu().solve(&both).transpose().to_owned()
 }
 
-/// The columns without their means.
+/// Returns the table with the mean of each column subtracted.
 fn centred(table: &Mat<f64>) -> Mat<f64> {
     let rows = table.nrows();
     let mean: Vec<f64> = (0..table.ncols())
@@ -165,7 +165,8 @@ fn centred(table: &Mat<f64>) -> Mat<f64> {
     Mat::from_fn(rows, table.ncols(), |i, k| table[(i, k)] - mean[k])
 }
 
-/// The measures that each head shall have, one row for each.
+/// Computes the target measures of each head, one row per head, so that the crowd has the known
+/// correlations.
 fn targets(people: &[Traits], heads: &[ModelHeadShape]) -> Mat<f64> {
     let (_, own) = table(heads);
     let left = residuals(people, &own);
@@ -206,7 +207,7 @@ fn residuals(people: &[Traits], own: &Mat<f64>) -> Mat<f64> {
     Mat::from_fn(people.len(), COUNT, |i, m| left[(i, m)] / deviation[m])
 }
 
-/// Those of columns of zero mean and unit deviation.
+/// Returns the correlation matrix of the columns of a centred table.
 fn correlations(table: &Mat<f64>) -> Mat<f64> {
     let square = table.transpose() * table;
     Mat::from_fn(COUNT, COUNT, |i, j| {
@@ -214,7 +215,7 @@ fn correlations(table: &Mat<f64>) -> Mat<f64> {
     })
 }
 
-/// The nearest matrix of correlations whose eigenvalues are not below [`MIN_EIGENVALUE`].
+/// Returns the nearest correlation matrix whose eigenvalues are at least [`MIN_EIGENVALUE`].
 fn valid(correlations: &Mat<f64>) -> Mat<f64> {
     let all = with_eigenvalues(correlations, |x| x.max(MIN_EIGENVALUE));
     Mat::from_fn(COUNT, COUNT, |i, j| {
@@ -222,7 +223,7 @@ fn valid(correlations: &Mat<f64>) -> Mat<f64> {
     })
 }
 
-/// A square root of a matrix of correlations, or its inverse.
+/// Returns the square root of a correlation matrix, or its inverse if `exponent` is negative.
 fn power(correlations: &Mat<f64>, exponent: f64) -> Mat<f64> {
     with_eigenvalues(correlations, |x| {
         if exponent < 0.0 {

@@ -5,13 +5,13 @@ use raconteur_body::figure::Figure;
 use raconteur_body::pose::Pose;
 use raconteur_body::skeleton::Bone;
 
-/// The rotation of a bone in the bind pose, world.
+/// Returns the rotation of a bone in the bind pose, world from bone.
 fn bound(figure: &Figure, bone: Bone) -> DQuat {
     let bind = figure.inverse_bind[bone.index()].inverse();
     bind.to_scale_rotation_translation().1
 }
 
-/// The pose in which the figure was made.
+/// Returns the bind pose of a figure as joint rotations.
 pub(crate) fn bind_pose(figure: &Figure) -> Pose {
     let mut pose = Pose::zero();
     for bone in Bone::ALL {
@@ -31,7 +31,7 @@ pub(crate) fn turn(pose: &mut Pose, figure: &Figure, bone: Bone, world: DQuat) {
     pose.set(bone, pose.rotation(bone) * (b.inverse() * world * b));
 }
 
-/// World from world of the bind pose, for each joint.
+/// Returns the transform of each joint from the bind pose to a pose, both in the world.
 pub(crate) fn moved(figure: &Figure, pose: &Pose) -> Vec<DAffine3> {
     let mut world = Vec::new();
     figure.skeleton.solve(pose, &mut world);

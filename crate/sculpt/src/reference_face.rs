@@ -17,7 +17,8 @@ use crate::surface::on_triangle;
 use raconteur_body::annotation::Annotations;
 use raconteur_body::figure::Figure;
 
-/// A face to measure against, in its own units.
+/// Published face mesh with 68 landmarks, against which generated faces are compared; in its own
+/// units.
 #[derive(Clone, Debug)]
 pub struct ReferenceFace {
     points: Vec<DVec3>,
@@ -100,25 +101,25 @@ impl ReferenceFace {
     }
 }
 
-/// The distance of a face from the yardstick, millimetres of the face.
+/// Statistics of the distance of a face from the reference face, millimetres of the face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// Root of the mean square.
     pub rms_mm: f64,
-    /// 95th percentile.
+    /// 95th percentile of the distances.
     pub p95_mm: f64,
     /// Root of the mean square over the landmarks used.
     pub landmarks_mm: f64,
     /// Scale from the yardstick's units to millimetres of the face.
     pub scale: f64,
-    /// Points compared.
+    /// Number of compared points.
     pub count: usize,
 }
 
 /// Cell size for the nearest-vertex search, millimetres.
 const CELL_MM: f64 = 6.0;
 
-/// The nearest point within about a cell's width.
+/// Returns the nearest point within about a cell's width; `None` if there is none.
 fn nearest(cells: &Cells, points: &[DVec3], p: DVec3) -> Option<u32> {
     let distance = |v: u32| points[v as usize].distance_squared(p);
     cells

@@ -4,13 +4,13 @@ use raconteur_base::DVec3;
 
 /// Maximum number of points of an accepted mesh.
 const MAX_POINTS: usize = 1 << 20;
-/// Most corners of a face.
+/// Maximum number of corners of a face.
 const CORNERS: usize = 64;
 
-/// Points and faces in the file's own units.
+/// Imported head mesh as read from an OBJ file, in the file's own units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scan {
-    /// Positions.
+    /// Positions of the points.
     pub points: Vec<DVec3>,
     /// Linear RGB of each point, 0 to 1, if the file contains colours.
     pub colors: Vec<[f64; 3]>,
@@ -18,7 +18,7 @@ pub struct Scan {
     pub faces: Vec<Vec<u32>>,
 }
 
-/// A line that is no OBJ, counted from 1.
+/// Error returned for a line that is not valid OBJ; contains the line number, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {0} of the mesh is not understood")]
 pub struct BadLine(pub usize);
@@ -62,7 +62,7 @@ impl Scan {
         Ok(scan)
     }
 
-    /// The faces as triangles about their first corner.
+    /// Iterates over the faces, split into triangles about their first corner.
     pub(crate) fn triangles(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
         let fan = |f: &Vec<u32>| {
             let first = f[0];

@@ -3,7 +3,7 @@
 
 use raconteur_base::{DMat3, DQuat, DVec3};
 
-/// Rotation, scale and shift.
+/// Similarity transform: rotation, uniform scale and translation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Similarity {
     turn: DQuat,
@@ -21,7 +21,8 @@ impl Similarity {
         self.turn.inverse() * ((p - self.shift) / self.scale)
     }
 
-    /// The similarity that carries the first of each pair nearest to the second.
+    /// Returns the similarity that maps the first point of each pair closest to the second, in the
+    /// least-squares sense.
     pub(crate) fn best(pairs: &[(DVec3, DVec3)]) -> Self {
         let n = pairs.len().max(1) as f64;
         let from = pairs.iter().map(|p| p.0).sum::<DVec3>() / n;

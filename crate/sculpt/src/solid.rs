@@ -2,16 +2,17 @@
 
 use raconteur_base::{DMat3, DVec3, ops};
 
-/// A closed surface, counter-clockwise from outside.
+/// Closed surface of polygons, counter-clockwise from outside; used for bones and other inner
+/// parts.
 #[derive(Clone, Debug, Default)]
 pub struct Solid {
-    /// Corners, metres.
+    /// Corner positions, metres.
     pub points: Vec<DVec3>,
     /// Polygons of three or four corners.
     pub faces: Vec<Vec<u32>>,
 }
 
-/// An elliptic section: centre and two half axes.
+/// Elliptic cross-section: centre and two half axes.
 pub type Section = (DVec3, DVec3, DVec3);
 
 impl Solid {
@@ -52,7 +53,7 @@ impl Solid {
         out.turned_outwards()
     }
 
-    /// A tube of elliptic sections with rounded ends.
+    /// Builds a tube of elliptic cross-sections with rounded ends.
     #[must_use]
     pub fn tube(sections: &[Section], n: usize) -> Self {
         let mut all: Vec<Section> = Vec::with_capacity(sections.len() + 2);
@@ -82,8 +83,8 @@ impl Solid {
         Self::from_rings(&rings)
     }
 
-    /// A tube along points with radii across (`wide`, along `side` made square to the path)
-    /// and square to that (`thick`).
+    /// Builds a tube along points with two radii: `wide` along `side` (made perpendicular to the
+    /// path), `thick` perpendicular to both.
     #[must_use]
     pub fn rod(path: &[(DVec3, f64, f64)], side: DVec3, n: usize) -> Self {
         let sections: Vec<Section> = (0..path.len())
@@ -101,8 +102,8 @@ impl Solid {
         Self::tube(&sections, n)
     }
 
-    /// An ellipsoid of five rings; the columns of `axes` are its half axes, the first one
-    /// runs from pole to pole.
+    /// Builds an ellipsoid of five rings; the columns of `axes` are its half axes, the first runs
+    /// from pole to pole.
     #[must_use]
     pub fn blob(centre: DVec3, axes: DMat3, n: usize) -> Self {
         let rings: Vec<Vec<DVec3>> = (1..6)
@@ -119,7 +120,7 @@ impl Solid {
         Self::from_rings(&rings)
     }
 
-    /// A plate between an outline and its copy `thickness` further, bulging a little.
+    /// Builds a slightly bulging plate between an outline and its copy displaced by `thickness`.
     #[must_use]
     pub fn plate(outline: &[DVec3], thickness: DVec3) -> Self {
         let centre = outline.iter().sum::<DVec3>() / outline.len().max(1) as f64;
@@ -137,7 +138,7 @@ impl Solid {
         ])
     }
 
-    /// Six times the enclosed volume is the sum of the faces' triple products.
+    /// Returns the enclosed volume: one sixth of the sum of the faces' triple products.
     #[must_use]
     pub fn volume(&self) -> f64 {
         self.faces
@@ -150,7 +151,7 @@ impl Solid {
             .sum()
     }
 
-    /// Orients the faces outwards.
+    /// Returns the solid with all faces oriented outwards.
     #[must_use]
     pub fn turned_outwards(mut self) -> Self {
         if self.volume() < 0.0 {
@@ -161,7 +162,7 @@ impl Solid {
         self
     }
 
-    /// The same with every point moved; a map that mirrors turns the faces round.
+    /// Returns the solid with every point transformed by `map`; a mirroring map reverses the faces.
     #[must_use]
     pub fn mapped(mut self, map: impl Fn(DVec3) -> DVec3) -> Self {
         for p in &mut self.points {
@@ -170,7 +171,7 @@ impl Solid {
         self.turned_outwards()
     }
 
-    /// Adds another solid's surface.
+    /// Appends the surface of another solid.
     pub fn append(&mut self, other: Self) {
         let base = self.points.len() as u32;
         self.points.extend(other.points);

@@ -13,7 +13,7 @@
 //! as smoothed by Cliniface, value at 25; Farkas 1994 for fissure height and mandible. Each row of
 //! the table names its own source.
 
-/// Source of a row's adult values.
+/// Publication from which the adult values of a [`Row`] are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// ANSUR II.
@@ -31,7 +31,7 @@ pub enum Source {
 }
 
 impl Source {
-    /// A short citation.
+    /// Returns a short citation of the publication.
     #[must_use]
     pub fn citation(self) -> &'static str {
         match self {
@@ -45,12 +45,12 @@ impl Source {
     }
 }
 
-/// One row: millimetres. Pairs are men and women.
+/// Population statistics of one measure, millimetres. Pairs are men and women.
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
     /// Adult mean at 30.
     pub mean: [f64; 2],
-    /// Standard deviation.
+    /// Standard deviations of men and women.
     pub sd: [f64; 2],
     /// Share of the adult mean at nine.
     pub at_nine: [f64; 2],
@@ -60,12 +60,12 @@ pub struct Row {
     pub source: Source,
 }
 
-/// Mean and standard deviation of one distance, millimetres.
+/// Mean and standard deviation of one distance for a sex and an age, millimetres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Norm {
-    /// Mean.
+    /// Mean, millimetres.
     pub mean: f64,
-    /// Standard deviation.
+    /// Standard deviation, millimetres.
     pub sd: f64,
 }
 
@@ -86,8 +86,8 @@ impl Row {
         }
     }
 
-    /// The norm for a sex (0 male to 1 female) and an age in years. Between nine and 18 it
-    /// grows evenly, as the curves do within their scatter.
+    /// Returns the norm for a sex (0 male to 1 female) and an age in years. Between nine and 18 it
+    /// grows linearly, as the published curves do within their scatter.
     #[must_use]
     pub fn norm_at(&self, sex: f64, age_years: f64) -> Norm {
         let one = |i: usize| {

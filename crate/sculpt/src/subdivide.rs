@@ -9,15 +9,17 @@ use std::collections::BTreeMap;
 
 use raconteur_base::DVec3;
 
-/// A weighted sum of the vertices of the mesh that was subdivided; weights sum to 1.
+/// Weighted sum over the vertices of a cage, which gives a vertex of the subdivided mesh; weights
+/// sum to 1.
 pub type Stencil = Vec<(u32, f64)>;
 
-/// Polygons after subdivision and how each of their vertices follows from the cage.
+/// Polygons after subdivision, and the stencil by which each of their vertices follows from the
+/// cage.
 #[derive(Clone, Debug)]
 pub struct Subdivided {
     /// Quads, or the cage's own polygons at level 0.
     pub faces: Vec<Vec<u32>>,
-    /// One stencil over the cage's vertices for each vertex.
+    /// Stencil over the cage's vertices for each vertex.
     pub stencils: Vec<Stencil>,
 }
 
@@ -39,7 +41,7 @@ fn edge_key(a: u32, b: u32) -> (u32, u32) {
     (a.min(b), a.max(b))
 }
 
-/// Faces around each edge.
+/// Returns the faces next to each edge.
 #[must_use]
 pub fn edge_faces(faces: &[Vec<u32>]) -> BTreeMap<(u32, u32), Vec<u32>> {
     let mut edges: BTreeMap<(u32, u32), Vec<u32>> = BTreeMap::new();
@@ -62,7 +64,7 @@ fn combine(terms: &[(u32, f64)], parents: &[Stencil]) -> Stencil {
     sum.into_iter().collect()
 }
 
-/// The middle of a face, `weight` times.
+/// Returns the stencil of the middle of a face, scaled by `weight`.
 fn face_stencil(face: &[u32], weight: f64) -> Stencil {
     face.iter()
         .map(|&v| (v, weight / face.len() as f64))
@@ -167,7 +169,8 @@ fn step(faces: &[Vec<u32>], vertex_count: usize) -> Subdivided {
     }
 }
 
-/// Subdivides `levels` times. Cage vertices keep their indices.
+/// Subdivides polygons `levels` times by the Catmull–Clark scheme. Cage vertices keep their
+/// indices.
 #[must_use]
 pub fn subdivide(faces: &[Vec<u32>], vertex_count: usize, levels: usize) -> Subdivided {
     let mut current = Subdivided {

@@ -4,7 +4,7 @@ use raconteur_base::DVec3;
 
 use crate::cells::Cells;
 
-/// Mesh with spatial queries.
+/// Triangle mesh with spatial queries such as nearest point.
 pub(crate) struct Surface {
     pub(crate) points: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
@@ -14,7 +14,7 @@ pub(crate) struct Surface {
     reach: f64,
 }
 
-/// Point on a mesh: a triangle's corners and their barycentric weights.
+/// Point on a mesh, stored as a triangle's corners and their barycentric weights.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     pub(crate) at: DVec3,

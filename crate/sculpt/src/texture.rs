@@ -2,13 +2,13 @@
 
 use raconteur_base::{DVec3, noise};
 
-/// A hash of a lattice point. Coordinates stay far below 2²⁰ cells.
+/// Returns a hash of a lattice point. Coordinates stay far below 2²⁰ cells.
 fn lattice(seed: u64, x: i64, y: i64, z: i64) -> u64 {
     let id = (x & 0xF_FFFF) << 20 | (y & 0xF_FFFF);
     noise::hash(seed, id as u64, z)
 }
 
-/// Smooth value noise, −1..1, one cell per unit.
+/// Returns smooth value noise, −1..1, with one cell per unit.
 pub(crate) fn space_noise(seed: u64, p: DVec3) -> f64 {
     let cell = p.floor();
     let f = p - cell;
@@ -66,7 +66,7 @@ pub(crate) fn rise(a: f64, b: f64, x: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// Linear blend of colours.
+/// Blends two colours linearly.
 pub(crate) fn mix(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
     core::array::from_fn(|i| a[i] + (b[i] - a[i]) * t)
 }

@@ -1,14 +1,15 @@
 //! Words of emotions with their position in the space of activation, evaluation and power (F&H
 //! 4.4.1). Their emoticons are part of EML.
 
-/// A point in the emotion space; each dimension from −100 to 100, 0 is neutral.
+/// Emotion as a point in the space of activation, evaluation and power; each from −100 to 100, 0 is
+/// neutral.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EmotionPoint {
-    /// Passive to active.
+    /// Activation, −100 passive to 100 active.
     pub activation: f64,
-    /// Negative to positive.
+    /// Evaluation, −100 negative to 100 positive.
     pub evaluation: f64,
-    /// Submissive to dominant.
+    /// Power, −100 submissive to 100 dominant.
     pub power: f64,
 }
 
@@ -62,7 +63,7 @@ pub fn place(word: &str) -> Option<EmotionPoint> {
 }
 
 impl EmotionPoint {
-    /// Each dimension times `factor`, within −100 to 100.
+    /// Returns the point with each dimension multiplied by `factor`, limited to −100 to 100.
     #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
         let scale = |x: f64| (x * factor).clamp(-100.0, 100.0);
@@ -73,7 +74,7 @@ impl EmotionPoint {
         }
     }
 
-    /// Returns true if it is neutral.
+    /// Returns true if all dimensions are 0.
     #[must_use]
     pub fn is_neutral(self) -> bool {
         self == Self::default()

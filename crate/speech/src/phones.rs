@@ -19,10 +19,10 @@ pub use sets::{PHONE_SETS, find, translate};
 
 use table::{SCHWA, SILENCE, TABLE};
 
-/// Number of mouth channels.
+/// Number of mouth channels, the parameters of a mouth shape.
 pub const CHANNELS: usize = 10;
 
-/// Mouth channels in the order of [`PhoneTargets::channels`].
+/// Mouth channel, one parameter of a mouth shape; in the order of [`PhoneTargets::channels`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(usize)]
 pub enum Channel {
@@ -53,7 +53,7 @@ impl Channel {
     pub const ALPHA: [usize; CHANNELS] = [0, 0, 1, 1, 2, 0, 0, 3, 3, 3];
 }
 
-/// Manner of articulation, as relevant for the lips.
+/// Manner of articulation of a phone, as relevant for the lips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// Steady vowel.
@@ -66,13 +66,13 @@ pub enum Class {
     BilabialNasal,
     /// f, v: lower lip at the upper teeth.
     Labiodental,
-    /// Any other consonant.
+    /// Any other consonant, which hardly affects the lips.
     Consonant,
-    /// No sound.
+    /// Silence: no phone is spoken.
     Silence,
 }
 
-/// Visual targets of one phone.
+/// Visual targets of one phone: the mouth shape that it requires, one row of the phone table.
 ///
 /// # Examples
 ///
@@ -89,7 +89,7 @@ pub struct PhoneTargets {
     pub name: &'static str,
     /// Viseme: one of sil PP FF TH DD kk CH SS nn RR aa E ih oh ou.
     pub viseme: &'static str,
-    /// Manner.
+    /// Manner of articulation.
     pub class: Class,
     glide_viseme: &'static str,
     /// Targets in the order of [`Channel`].
@@ -101,7 +101,7 @@ pub struct PhoneTargets {
 }
 
 impl PhoneTargets {
-    /// The target of one channel.
+    /// Returns the target of one mouth channel.
     #[must_use]
     pub fn channel(&self, channel: Channel) -> f64 {
         self.channels[channel as usize]
@@ -120,25 +120,25 @@ impl PhoneTargets {
     }
 }
 
-/// A row of the phone table.
+/// Index of a row in the phone table, which gives a phone its mouth shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PhoneRow(u8);
 
 impl PhoneRow {
-    /// Silence: the closed mouth at rest.
+    /// Row of silence: the closed mouth at rest.
     pub const SILENCE: Self = Self(SILENCE as u8);
 
     /// A phone that hardly constrains the lips (schwa), for unknown symbols.
     pub const NEUTRAL: Self = Self(SCHWA as u8);
 
-    /// The row of this name.
+    /// Returns the row with a name; `None` for an unknown name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let index = TABLE.iter().position(|row| row.name == name)?;
         u8::try_from(index).ok().map(Self)
     }
 
-    /// Returns the targets of the mouth.
+    /// Returns the visual targets of the row.
     #[must_use]
     pub fn targets(self) -> &'static PhoneTargets {
         &TABLE[usize::from(self.0)]
@@ -146,13 +146,13 @@ impl PhoneRow {
 }
 
 impl Default for PhoneRow {
-    /// [`PhoneRow::NEUTRAL`].
+    /// Returns [`PhoneRow::NEUTRAL`].
     fn default() -> Self {
         Self::NEUTRAL
     }
 }
 
-/// The targets of every row of the table.
+/// Iterates over the targets of all rows of the phone table.
 pub fn all() -> impl Iterator<Item = &'static PhoneTargets> {
     TABLE.iter()
 }

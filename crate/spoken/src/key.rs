@@ -17,7 +17,7 @@ impl Hash {
         }
     }
 
-    /// A text and that it ends.
+    /// Adds a text and an end marker to the digest.
     fn text(&mut self, text: &str) {
         self.bytes(text.as_bytes());
         self.bytes(&[0xff]);

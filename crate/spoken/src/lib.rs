@@ -43,8 +43,8 @@ pub fn word_of(emotion: &Emotion) -> Option<&'static str> {
     given.iter().all(Option::is_none).then(|| kind.word())
 }
 
-/// A clause that speaks, audibly or prepared, with its speech state: from the last `voice-change`,
-/// the last emotion and the last beat before it, in document order.
+/// Clause with speech to synthesise, and its speech state: voice, emotion and beat in force at the
+/// clause, from the elements before it in document order.
 ///
 /// # Examples
 ///
@@ -72,8 +72,8 @@ pub struct SpokenClause<'d> {
 }
 
 impl SpokenClause<'_> {
-    /// The key of its utterance in a bundle: a digest of the words, their markup, the voice and
-    /// the emotion.
+    /// Returns the key of the clause's utterance in a bundle: a digest of the words, their markup,
+    /// the voice and the emotion.
     #[must_use]
     pub fn key(&self) -> u64 {
         key::key_of(self)

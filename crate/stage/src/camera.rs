@@ -5,7 +5,7 @@ use raconteur_base::{DQuat, DVec3, Length, ops};
 
 use crate::storyteller::{AT_REST, BUST, FACE, HEAD, Span, aside_in};
 
-/// A pinhole camera.
+/// Pinhole camera that renders a frame.
 ///
 /// # Examples
 ///
@@ -26,9 +26,9 @@ pub struct Camera {
     pub target_in_world: DVec3,
     /// Vertical field of view, radians.
     pub fov_y_rad: f64,
-    /// Near plane, metres.
+    /// Distance of the near plane, metres.
     pub near_m: f64,
-    /// Far plane, metres.
+    /// Distance of the far plane, metres.
     pub far_m: f64,
 }
 
@@ -105,7 +105,7 @@ impl Camera {
         }
     }
 
-    /// The camera turned about its target, upwards by `elevation_rad`; it stays above the
+    /// Returns the camera rotated about its target, upwards by `elevation_rad`; it stays above the
     /// floor, y = 0.
     #[must_use]
     pub fn raised(mut self, elevation_rad: f64) -> Self {
@@ -119,7 +119,7 @@ impl Camera {
 /// Minimum height of the lens, metres: a lower one would look along the floor. Designed.
 const MIN_EYE_M: f64 = 0.12;
 
-/// Shot size, in film terms.
+/// Shot size of a figure, in film terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shot {
     /// The figure, small, in the room around it.
@@ -136,7 +136,7 @@ pub enum Shot {
     ExtremeClose,
 }
 
-/// Additional margin that gestures need in frame. Close shots leave no margin for hands.
+/// Additional space that gestures need in the image. Close shots leave no space for hands.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FramingMargin {
     /// Height of the highest fingertip above the floor, metres.
@@ -277,12 +277,12 @@ impl Shot {
 /// Maximum elevation of the view, radians: straight down there is no upper edge.
 const STEEPEST_RAD: f64 = 1.5;
 
-/// A view from another direction than the shot's, for inspection.
+/// Offset of the camera from that of the shot, for inspecting the figure from another direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Azimuth around the figure, radians; positive to its left.
     pub turn_rad: f64,
-    /// Elevation, radians.
+    /// Elevation, radians; positive raises the camera.
     pub tilt_rad: f64,
     /// Zoom factor relative to the shot.
     pub zoom: f64,

@@ -6,15 +6,15 @@ use crate::camera::Shot;
 /// Maximum potential and intensity. GEVH does not bound them. Designed.
 pub const STRONGEST: f64 = 10.0;
 
-/// Vertical camera angle.
+/// Vertical camera angle towards the figure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Angle {
     /// At the height of its target.
     #[default]
     Eye,
-    /// From above.
+    /// Camera above the figure, looking down.
     High,
-    /// From below.
+    /// Camera below the figure, looking up.
     Low,
 }
 
@@ -31,7 +31,7 @@ impl Angle {
     }
 }
 
-/// Valence of an emotion or a mood.
+/// Valence of an emotion or a mood: negative, neutral or positive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Valence {
     /// Bad.
@@ -44,7 +44,7 @@ pub enum Valence {
 }
 
 impl Valence {
-    /// −1, 0 or 1.
+    /// Returns −1 for negative, 0 for neutral, 1 for positive.
     #[must_use]
     pub fn sign(self) -> f64 {
         f64::from(self as i8) - 1.0
@@ -52,8 +52,8 @@ impl Valence {
 }
 
 /// Effect of an emotion on lamps in addition to colour and brightness, at full strength. Designed:
-/// long and hard shadows threaten, light from below is uncanny, light from above weighs down, soft
-/// light from the front is friendly.
+/// long, hard shadows threaten, light from below is uncanny, light from above weighs down, soft
+/// frontal light is friendly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LampManner {
     /// Azimuth of the key light away from the front, radians.
@@ -101,12 +101,13 @@ const HEAVY: LampManner = LampManner {
     mist: 0.6,
 };
 
-/// A type of emotion of Ortony, Clore and Collins as the environment expresses it.
+/// Emotion type of Ortony, Clore and Collins, with the light and the camera that express it in the
+/// environment.
 #[derive(Debug, PartialEq)]
 pub struct EmotionType {
-    /// Its name.
+    /// Name of the emotion type.
     pub name: &'static str,
-    /// Valence.
+    /// Valence of the emotion.
     pub valence: Valence,
     /// The colour of the key light, sRGB (GEVH table 3.2).
     pub key_color: [u8; 3],
@@ -186,13 +187,14 @@ const KIN: [(&str, &str); 5] = [
 ];
 
 impl EmotionType {
-    /// No emotion.
+    /// Returns the type for no emotion.
     #[must_use]
     pub fn neutral() -> &'static Self {
         &EMOTIONS[0]
     }
 
-    /// The type of a word: its own name, or one that F&H use.
+    /// Returns the type for a word: its own name, or a synonym that F&H use; `None` for an unknown
+    /// word.
     #[must_use]
     pub fn named(word: &str) -> Option<&'static Self> {
         let kin = KIN.iter().find(|(other, _)| *other == word);

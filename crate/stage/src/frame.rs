@@ -7,7 +7,7 @@ use crate::{Camera, Lighting, Line, Set, Visibility};
 /// Manipulators that a figure has: arms, legs and head (GEVH 3.3).
 const MANIPULATORS: usize = 5;
 
-/// Complete audiovisual state at one time.
+/// Complete audiovisual state of a performance at one time, as input of the renderer.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// Story time, seconds.
@@ -19,11 +19,11 @@ pub struct Frame {
     /// State of each node of the figure's tissue, in the order that the bindings of its
     /// meshes count; those that are not there are at rest. Empty for figures without tissue.
     pub tissue: Vec<NodeState>,
-    /// Camera.
+    /// Camera from which the frame is rendered.
     pub camera: Camera,
-    /// Lighting.
+    /// Lights of the frame.
     pub lighting: Lighting,
-    /// Floor and backdrop.
+    /// Floor and backdrop of the stage.
     pub set: Set,
     /// Visible parts of the figure.
     pub visibility: Visibility,
@@ -39,7 +39,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// An empty frame with room for a figure of this size.
+    /// Creates an empty frame with capacity for a figure with this many joints and morph targets.
     #[must_use]
     pub fn with_capacity(joints: usize, morphs: usize) -> Self {
         Self {
@@ -59,7 +59,7 @@ impl Frame {
     }
 }
 
-/// Current speech audio and its position.
+/// Utterance whose audio plays in a frame, and the position in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurrentSpeech {
     /// Index of the utterance in the story's performance.

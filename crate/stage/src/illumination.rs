@@ -41,7 +41,7 @@ const MAX_AZIMUTH_RAD: f64 = 1.25;
 /// Direction to a lamp between figure and camera, slightly above the lens so it stays out of frame.
 const FRONTAL: DVec3 = DVec3::new(0.0, 0.242_535_625, 0.970_142_5);
 
-/// Change of a stage's light, relative to its own light.
+/// Change of the stage's light that expresses an emotion, relative to the stage's own light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Illumination {
     /// The key's colour, linear RGB; 1, 1, 1 leaves it.
@@ -98,8 +98,8 @@ impl Illumination {
         }
     }
 
-    /// The same to the letter of the thesis: table 3.2 in full colour, and equations 3.1 and 3.2
-    /// unscaled.
+    /// Returns the change of light exactly as in the thesis: table 3.2 in full colour, and
+    /// equations 3.1 and 3.2 unscaled.
     #[must_use]
     pub fn strictly(emotion: &EmotionType, intensity: f64) -> Self {
         Self {
@@ -147,7 +147,7 @@ impl Illumination {
         }
     }
 
-    /// The lamps of a stage in this light.
+    /// Returns the lamps of a stage, changed by this illumination.
     #[must_use]
     pub fn lamps(&self, lighting: &Lighting) -> Lighting {
         let most = self.color.iter().copied().fold(0.0, f32::max);
@@ -185,7 +185,7 @@ impl Illumination {
         }
     }
 
-    /// Floor and backdrop in this light.
+    /// Returns floor and backdrop, changed by this illumination.
     #[must_use]
     pub fn set(&self, set: Set) -> Set {
         if *self == Self::default() {
@@ -202,7 +202,7 @@ impl Illumination {
         ops::pow(self.brightness.max(0.0), REST_FOLLOWS) as f32
     }
 
-    /// The direction of the key lamp where this light moves it.
+    /// Returns the direction of the key lamp, moved by this illumination.
     fn moved(&self, towards_light: DVec3) -> DVec3 {
         let level = ops::hypot(towards_light.x, towards_light.z);
         let lift = ops::atan2(towards_light.y, level) + self.lift_rad;
@@ -235,7 +235,7 @@ fn times(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     std::array::from_fn(|c| a[c] * b[c])
 }
 
-/// Linear RGB of a colour in sRGB.
+/// Converts a colour in sRGB bytes to linear RGB.
 #[must_use]
 pub fn linear(srgb: [u8; 3]) -> [f32; 3] {
     srgb.map(|byte| srgb_to_linear(f64::from(byte) / 255.0) as f32)
@@ -343,7 +343,7 @@ mod tests {
         }
     }
 
-    /// CIE L*a*b* of linear sRGB under D65.
+    /// Converts linear sRGB to CIE L*a*b* under D65.
     fn lab([r, g, b]: [f64; 3]) -> [f64; 3] {
         let root = |t: f64| {
             if t > 0.008_856 {

@@ -2,7 +2,7 @@
 
 use raconteur_base::{DQuat, DVec3, Length};
 
-/// A light from far away.
+/// Distant light with parallel rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectedLight {
     /// Unit vector from the scene towards the light, world.
@@ -11,14 +11,14 @@ pub struct DirectedLight {
     pub irradiance: [f32; 3],
 }
 
-/// All the light on the stage.
+/// All lights on the stage: key, fill and rim lamps, sky and ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lighting {
     /// The strongest light; it casts the shadows.
     pub key: DirectedLight,
     /// Softens the key's shadows from the other side.
     pub fill: DirectedLight,
-    /// From behind; parts hair and shoulders from the backdrop.
+    /// Light from behind, which separates hair and shoulders from the backdrop.
     pub rim: DirectedLight,
     /// Ambient from above, linear RGB.
     pub sky: [f32; 3],
@@ -43,14 +43,15 @@ impl Lighting {
         ("studio", Self::studio),
     ];
 
-    /// The light of this name in [`Self::PRESETS`].
+    /// Returns the lighting preset with a name in [`Self::PRESETS`]; `None` for an unknown name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let found = Self::PRESETS.iter().find(|(n, _)| *n == name);
         found.map(|(_, light)| light())
     }
 
-    /// The same lamps turned about the character, to its left, radians.
+    /// Returns the lighting with its lamps rotated about the character by `turn_rad` radians,
+    /// positive to its left.
     #[must_use]
     pub fn turned(mut self, turn_rad: f64) -> Self {
         let turn = DQuat::from_rotation_y(turn_rad);
@@ -60,7 +61,8 @@ impl Lighting {
         self
     }
 
-    /// A window to the character's left, 50° round and 25° up; the rest is the room's.
+    /// Lighting with a window to the character's left, 50° round and 25° up; the remaining light
+    /// comes from the room.
     fn daylight() -> Self {
         Self {
             key: lamp([0.78, 0.46, 0.64], [0.82, 0.87, 0.95]),
@@ -73,7 +75,8 @@ impl Lighting {
         }
     }
 
-    /// A lamp at shoulder height, 70° to the character's right; a strong rim opposite.
+    /// Lighting with a lamp at shoulder height, 70° to the character's right, and a strong rim
+    /// light opposite.
     fn evening() -> Self {
         Self {
             key: lamp([-0.94, 0.12, 0.36], [1.15, 0.82, 0.52]),
@@ -86,7 +89,7 @@ impl Lighting {
         }
     }
 
-    /// A large soft lamp from the front and bright walls: shows colours and shapes.
+    /// Lighting with a large soft lamp from the front and bright walls: shows colours and shapes.
     fn studio() -> Self {
         Self {
             key: lamp([-0.55, 0.60, 0.90], [0.92, 0.90, 0.86]),
@@ -100,7 +103,7 @@ impl Lighting {
     }
 }
 
-/// A light from a direction of any length.
+/// Creates a light from a direction of any length.
 pub(crate) fn lamp([x, y, z]: [f64; 3], irradiance: [f32; 3]) -> DirectedLight {
     DirectedLight {
         towards_light_in_world: DVec3::new(x, y, z).normalized(),

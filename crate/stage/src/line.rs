@@ -1,15 +1,15 @@
 //! Lines and dots over the body, for inspection.
 
-/// A straight line over the body, or a dot if both ends coincide. Parts behind the body are
-/// rendered fainter.
+/// Straight line drawn over the body, or a dot if both ends coincide; annotation of a frame. Parts
+/// behind the body are rendered fainter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// One end, world, metres.
+    /// First end, world, metres.
     pub from_in_world: [f32; 3],
-    /// The other end.
+    /// Second end, world, metres.
     pub to_in_world: [f32; 3],
     /// Linear RGB and cover, 0..255; before the tone curve, in any light the same.
     pub color: [u8; 4],
-    /// Width, image pixels.
+    /// Line width, image pixels.
     pub width_px: f32,
 }

@@ -20,10 +20,11 @@ const MAX_EMOTIONS: usize = 64;
 /// similar strength do not alternate. Designed.
 const HYSTERESIS: f64 = 0.25;
 
-/// An emotion over time. Its intensity rises straight to the apex, stays, and falls straight.
+/// Emotion over time, in an attack-sustain-release shape: its intensity rises linearly to the apex,
+/// stays constant, and falls linearly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EmotionEnvelope {
-    /// Its type.
+    /// Type of the emotion.
     pub kind: &'static EmotionType,
     /// Strength of the eliciting events, 0 to 10.
     pub potential: f64,
@@ -31,18 +32,18 @@ pub struct EmotionEnvelope {
     pub intensity: f64,
     /// Activation, −1 to 1.
     pub activation: f64,
-    /// Start, story seconds.
+    /// Start of the emotion, story time, seconds.
     pub start_secs: f64,
     /// Time of full strength, not before the start.
     pub apex_secs: f64,
-    /// Until when it stays so, not before the apex.
+    /// End of the constant phase, story time, seconds; not before the apex.
     pub until_secs: f64,
     /// End of the fade, not before the previous time.
     pub end_secs: f64,
 }
 
 impl EmotionEnvelope {
-    /// Its intensity at a time, 0 to 10.
+    /// Returns the intensity of the emotion at a story time, 0 to 10.
     #[must_use]
     pub fn intensity_at(&self, time_secs: f64) -> f64 {
         if time_secs < self.start_secs || time_secs >= self.end_secs {
@@ -77,17 +78,17 @@ impl EmotionEnvelope {
     }
 }
 
-/// Mood of a character.
+/// Mood of a character: the smoothed sum of its emotions, which colours the light.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mood {
     /// Sum of good less sum of bad emotions, smoothed; usually −10 to 10.
     pub valence: f64,
-    /// Arousal, likewise.
+    /// Arousal: sum of the activations of the emotions, smoothed; usually −10 to 10.
     pub arousal: f64,
 }
 
 impl Mood {
-    /// Returns its valence.
+    /// Returns the valence of the mood: negative, neutral or positive.
     #[must_use]
     pub fn sign(&self) -> Valence {
         match self.valence {
@@ -103,14 +104,14 @@ impl Mood {
         (self.arousal / (3.0 * AROUSED)).clamp(0.0, 1.0)
     }
 
-    /// Returns true if it is aroused.
+    /// Returns true if the arousal is above the threshold of an aroused mood.
     #[must_use]
     pub fn is_aroused(&self) -> bool {
         self.arousal > AROUSED
     }
 }
 
-/// All emotions of a performance, by start.
+/// All emotions of a performance, sorted by start; computes mood and emotion at any time.
 #[derive(Clone, Debug, Default)]
 pub struct EmotionTimeline {
     felt: Vec<EmotionEnvelope>,
@@ -119,7 +120,8 @@ pub struct EmotionTimeline {
 }
 
 impl EmotionTimeline {
-    /// From emotions in any order; those with times that are no numbers are left out.
+    /// Creates a timeline from emotions in any order; emotions whose times are not numbers are
+    /// omitted.
     #[must_use]
     pub fn new(felt: impl IntoIterator<Item = EmotionEnvelope>) -> Self {
         let mut felt: Vec<EmotionEnvelope> = felt.into_iter().filter_map(ordered).collect();
@@ -131,14 +133,14 @@ impl EmotionTimeline {
         }
     }
 
-    /// All of them, by start.
+    /// Returns all emotions, sorted by start.
     #[must_use]
     pub fn all(&self) -> &[EmotionEnvelope] {
         &self.felt
     }
 
-    /// Those that began before a time and did not end longer ago than `past_secs`; the latest of them
-    /// where they are many.
+    /// Returns the emotions that began before a time and ended at most `past_secs` before it; the
+    /// latest ones if there are many.
     fn about(&self, time_secs: f64, past_secs: f64) -> &[EmotionEnvelope] {
         let begun = self.felt.partition_point(|f| f.start_secs <= time_secs);
         let oldest_secs = time_secs - past_secs - self.longest_secs;
@@ -166,7 +168,7 @@ impl EmotionTimeline {
         Some(*kept.unwrap_or(strongest))
     }
 
-    /// The mood at a time.
+    /// Returns the mood at a story time.
     #[must_use]
     pub fn mood(&self, time_secs: f64) -> Mood {
         let felt = self.about(time_secs, FORGOTTEN_SECS).iter();
@@ -180,7 +182,8 @@ impl EmotionTimeline {
     }
 }
 
-/// The same with times in their order and amounts on their scales.
+/// Returns the emotion with its times in order and its amounts clamped to their scales; `None` if a
+/// value is not a number.
 fn ordered(felt: EmotionEnvelope) -> Option<EmotionEnvelope> {
     let all = [
         felt.start_secs,

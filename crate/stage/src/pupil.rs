@@ -15,9 +15,9 @@ const AROUSED: f64 = 0.6;
 /// *The Pupil*: below 0.5 Hz, some tenths at most). Designed.
 const UNREST: [(f64, f64); 3] = [(0.07, 0.19), (0.05, 0.31), (0.03, 0.47)];
 
-/// Diameter of the pupils in a light, millimetres, at `arousal` from 0 (calm) to 1, at a story time
-/// in seconds: 4.9 - 3 tanh(0.4 log10 L) for a luminance L in candela a square metre (Moon and
-/// Spencer 1944, after Watson and Yellott 2012, doi:10.1167/12.10.12).
+/// Returns the diameter of the pupils, millimetres, at `arousal` 0 (calm) to 1 and a story time in
+/// seconds: 4.9 - 3 tanh(0.4 log10 L) for luminance L in cd/m² (Moon and Spencer 1944, after Watson
+/// and Yellott 2012, doi:10.1167/12.10.12).
 #[must_use]
 pub fn diameter_mm(lighting: &Lighting, arousal: f64, time_secs: f64) -> f64 {
     let mean = |c: [f32; 3]| f64::from(c[0] + c[1] + c[2]) / 3.0;

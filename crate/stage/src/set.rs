@@ -5,7 +5,7 @@ use raconteur_base::ops;
 use crate::Lighting;
 use crate::light::lamp;
 
-/// A set of the stage.
+/// Set of the stage: the scenery around the figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageSet {
     /// A curtain hung in a wide curve behind a floor of boards.
@@ -22,16 +22,16 @@ pub enum StageSet {
     Studio,
 }
 
-/// Set and colours of the stage, linear RGB.
+/// Stage set (scenery) with the colours of floor and backdrop, linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Set {
-    /// Kind of set.
+    /// Kind of scenery.
     pub kind: StageSet,
     /// Floor near the figure; in a room the wooden parts.
     pub floor: [f32; 3],
     /// The backdrop at the horizon.
     pub backdrop_low: [f32; 3],
-    /// The backdrop above.
+    /// Colour of the upper backdrop, linear RGB.
     pub backdrop_high: [f32; 3],
     /// Pool of light behind the figure, added around the middle of the curtain; in other sets the
     /// light sources: fire, discs of sunlight, moon and stars, light from a window.
@@ -49,7 +49,7 @@ pub struct Set {
 const THICKEST_FOG: f32 = 0.40;
 
 impl Set {
-    /// Sets by name.
+    /// Names of the stage sets in stories and options.
     pub const NAMES: [(&str, StageSet); 5] = [
         ("curtain", StageSet::Curtain),
         ("fireside", StageSet::Fireside),
@@ -58,7 +58,7 @@ impl Set {
         ("school", StageSet::School),
     ];
 
-    /// Returns the set of this name in [`Self::NAMES`].
+    /// Returns the stage set with a name in [`Self::NAMES`]; `None` for an unknown name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let found = Self::NAMES.iter().find(|(n, _)| *n == name);

@@ -30,7 +30,7 @@ const MAX_HALF_WIDTH: f64 = 0.55;
 /// Aspect (width over height) from which a narrow image shows hands only up to [`NARROW_MAX`]: on
 /// an upright phone a face matters more. Designed.
 const NARROW: f64 = 0.85;
-/// One this broad shows all that hands do, width over height. Designed.
+/// Aspect ratio, width over height, from which an image shows the hands at all times. Designed.
 pub const BROAD: f64 = 1.0;
 /// Maximum span that a narrow image shows for hands, share of stature: from below the waist up.
 /// Hands beyond it briefly leave the image. Designed.
@@ -58,7 +58,7 @@ const HELD_OUT: f64 = 0.22;
 /// from the second on it is as far aside as its set requests. Designed.
 const MIDDLE: f64 = 1.0;
 const ASIDE: f64 = 1.25;
-/// Half the width of a head that turns, share of stature.
+/// Half the width of a turning head, share of stature.
 const HEAD_HALF_WIDTH: f64 = 0.085;
 /// Maximum zoom speed for one gesture, share of the image height per second. Two may move the upper
 /// and the lower edge at once. Designed: it is not noticeable.
@@ -84,19 +84,20 @@ pub fn aside_in(aspect: f64, aside: f64) -> f64 {
     aside * smooth((aspect - MIDDLE) / (ASIDE - MIDDLE))
 }
 
-/// Space taken by hands or the whole body, metres from the floor and from the middle of the figure.
+/// Space taken by the hands or the whole body, which the camera keeps in the image; metres from the
+/// floor and from the middle of the figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TakenSpace {
-    /// Of the highest fingertip or of the crown.
+    /// Height of the highest fingertip or of the crown, metres.
     pub top_m: f64,
-    /// Of the lowest.
+    /// Height of the lowest fingertip or of the feet, metres.
     pub bottom_m: f64,
-    /// Of the outermost.
+    /// Distance of the outermost fingertip from the middle, metres.
     pub half_width_m: f64,
 }
 
 impl TakenSpace {
-    /// That of a whole body of a stature, with arms half spread.
+    /// Returns the space of a whole body of a stature, with the arms half spread.
     #[must_use]
     pub fn of_body(stature_m: f64) -> Self {
         Self {
@@ -126,18 +127,18 @@ impl TakenSpace {
     }
 }
 
-/// Space and time of a gesture.
+/// Time span of a gesture and the space that it takes, to which the camera zooms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gesture {
-    /// Seconds.
+    /// Start, story time, seconds.
     pub from_secs: f64,
     /// Seconds, not before `from_secs`.
     pub to_secs: f64,
-    /// While it lasts.
+    /// Space taken during the gesture.
     pub space: TakenSpace,
 }
 
-/// Visible span of a figure, shares of stature from the floor under it.
+/// Vertical span of a figure that the image shows, shares of stature from the floor under it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
     pub(crate) bottom: f64,
@@ -145,14 +146,14 @@ pub struct Span {
 }
 
 impl Default for Span {
-    /// While no gesture needs more.
+    /// Returns the span that the image shows if no gesture needs more.
     fn default() -> Self {
         Self::about_eyes(AT_REST)
     }
 }
 
 impl Span {
-    /// A height about the eyes, share of stature.
+    /// Returns a span of a height about the eyes, share of stature.
     fn about_eyes(height: f64) -> Self {
         Self {
             bottom: EYES - (1.0 - ABOVE) * height,

@@ -1,6 +1,6 @@
 //! Visible parts of a figure, for inspection (GEVH D.3.4).
 
-/// Fill mode of a surface.
+/// Fill mode in which a surface is rendered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fill {
     /// The surface.
@@ -21,7 +21,7 @@ pub enum Fill {
 pub struct Visibility {
     /// Fill mode of the body's surface.
     pub fill: Fill,
-    /// The body.
+    /// Shows the body.
     pub body: bool,
     /// The bones, over the body.
     pub bones: bool,

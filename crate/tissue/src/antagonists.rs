@@ -2,7 +2,8 @@
 
 use crate::table::{Row, lines};
 
-/// Two sets of muscles that pull against each other.
+/// Two sets of muscles that pull against each other, so that only one set contracts at a time (F&H
+/// table 4.6).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Antagonists<'a> {
     /// Names without sides.

@@ -2,16 +2,16 @@
 
 use raconteur_base::NodeState;
 
-/// Binding of mesh vertices to nodes: a sparse matrix with one row per vertex. Bound vertices have
-/// no weight of the lower jaw when rendered: the nodes include the jaw's rotation, so the renderer
-/// moves such weights to the skull.
+/// Binding of mesh vertices to tissue nodes: a sparse matrix, one row per vertex. The nodes include
+/// the jaw's rotation, so when rendered the renderer moves the jaw's weight of bound vertices to
+/// the skull.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Binding {
-    /// The vertices, rising.
+    /// Indices of the bound vertices, ascending.
     pub vertices: Vec<u32>,
     /// Start of each vertex's row in `nodes` and `weights`, plus one entry for the end.
     pub starts: Vec<u32>,
-    /// Indices of nodes.
+    /// Indices of the nodes that the vertices follow.
     pub nodes: Vec<u16>,
     /// Their weights. Rows sum to 1, or to less where a vertex only follows in part.
     pub weights: Vec<f32>,

@@ -4,24 +4,25 @@ use super::lanes::{Vector, dot, vector, xyz};
 use super::springs::Springs;
 use super::tissue::{Arch, Tissue};
 
-/// Least room between a lip and the teeth, metres: the lip's inner skin.
+/// Minimum distance between a lip and the teeth, metres: the lip's inner skin.
 const BEFORE_TEETH_M: f32 = 0.0004;
-/// Least skin over a bone, metres.
+/// Minimum thickness of skin over a bone, metres.
 const OVER_BONE_M: f32 = 0.0012;
 
-/// A rigid movement of the lower jaw against the bind pose.
+/// Rigid movement of the lower jaw relative to the bind pose.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct JawPlace {
     /// Rows of the rotation.
     turn: [[f32; 3]; 3],
-    /// Its columns.
+    /// Columns of the rotation.
     columns: [Vector; 3],
     hinge: [f32; 3],
     slide: [f32; 3],
 }
 
 impl JawPlace {
-    /// Pitch about the figure's left after yaw about up, both at the hinge; metres.
+    /// Creates the movement: pitch about the figure's left after yaw about up, radians, both at the
+    /// hinge, and a slide; metres.
     pub(super) fn new(hinge: [f32; 3], pitch_rad: f64, yaw_rad: f64, slide: [f32; 3]) -> Self {
         let (sp, cp) = raconteur_base::ops::sincos(pitch_rad);
         let (sy, cy) = raconteur_base::ops::sincos(yaw_rad);
@@ -93,7 +94,7 @@ impl Arch {
     }
 }
 
-/// Maximum penetration depth of each kind of contact, metres.
+/// Maximum penetration depth of each kind of contact, metres; a diagnostic of the simulation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PenetrationDepths {
     /// A lip in the other.
@@ -104,7 +105,7 @@ pub struct PenetrationDepths {
     pub bone_m: f32,
 }
 
-/// Collision constraints of the nodes.
+/// Collision constraints of the tissue nodes with bones, teeth and lips.
 #[derive(Clone, Debug)]
 pub(super) struct Contacts {
     /// Nodes with bone under them, with the room they have at rest above the least.

@@ -4,7 +4,7 @@ use raconteur_base::curve::lerp;
 
 use super::{CLOSES_JAW, MUSCLES};
 
-/// The four degrees of freedom of the lower jaw in speech (F&H section 3.1.1): pitch and yaw,
+/// Four degrees of freedom of the lower jaw in speech (F&H section 3.1.1): pitch and yaw,
 /// horizontal and vertical position.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Jaw {
@@ -19,16 +19,16 @@ pub struct Jaw {
 }
 
 impl Jaw {
-    /// Least and greatest pitch and yaw, radians, and slide forwards and downwards, metres.
-    /// Designed: an adult's jaw opens by some 30° and slides by a centimetre at most.
+    /// Minimum and maximum of pitch and yaw, radians, and of the slide forwards and downwards,
+    /// metres. Designed: an adult's jaw opens by some 30° and slides by a centimetre at most.
     pub const RANGES: [[f64; 2]; 4] = [[0.0, 0.35], [-0.1, 0.1], [-0.004, 0.008], [0.0, 0.004]];
 
     /// Maximum slide of the jaw's joint from its rest position, metres.
     pub const MAX_SLIDE_M: f64 = 0.009;
 }
 
-/// Controls of a face at one time: contractions of its muscles, and direct parameters for movements
-/// without a muscle here (F&H section 3.1.2). The caller clamps values to their range.
+/// Controls of a face at one time: muscle contractions, and direct parameters for movements without
+/// a muscle here (F&H section 3.1.2). The caller clamps values to their range.
 ///
 /// # Examples
 ///
@@ -53,9 +53,9 @@ pub struct FaceControls {
     pub seal: f64,
     /// Movement of the lower lip to the edge of the upper teeth (f, v), 0 to 1.
     pub bite: f64,
-    /// The lower jaw.
+    /// Position of the lower jaw.
     pub jaw: Jaw,
-    /// Left and right upper lid: 0 where the gaze has it, 1 closed, −1 wide open.
+    /// Left and right upper lid: 0 as set by the gaze, 1 closed, −1 wide open.
     pub upper_lid: [f64; 2],
     /// Left and right lower lid: 0 at rest, 1 raised as in a tight squint.
     pub lower_lid: [f64; 2],
@@ -65,13 +65,12 @@ pub struct FaceControls {
     pub tongue_back: f64,
     /// Tongue between the teeth, 0 to 1.
     pub tongue_out: f64,
-    /// More blood in the skin of the face than usual (blush, positive) or less (pallor), −1
-    /// to 1.
+    /// Change of the blood in the skin of the face, −1 (pallor) to 1 (blush); 0 is usual.
     pub blush: f64,
 }
 
 impl Default for FaceControls {
-    /// A face at rest.
+    /// Returns the controls of a face at rest.
     fn default() -> Self {
         Self {
             contraction: [0.0; MUSCLES],
@@ -167,7 +166,7 @@ impl FaceControls {
 mod tests {
     use super::*;
 
-    /// A face of which every value is `value`.
+    /// Returns controls in which every value is `value`.
     fn all(value: f64) -> FaceControls {
         let mut face = FaceControls::default();
         face.change(&FaceControls::default(), &|_, _, _| value);

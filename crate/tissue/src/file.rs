@@ -11,12 +11,13 @@ pub const PADDING: usize = 16;
 
 /// Format version read by [`from_bytes`].
 const VERSION: u16 = 1;
-/// Most nodes, points of fibres and the like that a file may have; ours have some 4,000.
+/// Maximum number of nodes, of fibre points and of other items in a file; the bundled figures have
+/// some 4,000.
 const MAX_NODES: usize = 30_000;
 /// Quantisation step of depths, metres: 255 of them are 25 mm.
 const DEPTH_STEP_M: f32 = 1e-4;
 
-/// Error returned when a tissue in a file is rejected.
+/// Error returned when tissue data in a file is rejected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TissueError {
     /// Another version.
@@ -66,7 +67,7 @@ impl Reader<'_> {
         Ok([self.f32()?, self.f32()?, self.f32()?])
     }
 
-    /// A list with its length before it.
+    /// Reads a list that is preceded by its length.
     fn list<T>(
         &mut self,
         mut item: impl FnMut(&mut Self) -> Result<T, TissueError>,
@@ -79,7 +80,7 @@ impl Reader<'_> {
         (0..count).map(|_| item(self)).collect()
     }
 
-    /// An index below `count`.
+    /// Reads an index that must be below `count`.
     fn index(&mut self, count: usize) -> Result<u16, TissueError> {
         let i = self.u16()?;
         if usize::from(i) < count {
@@ -152,7 +153,7 @@ fn contact(r: &mut Reader<'_>, out: &mut Tissue) -> Result<(), TissueError> {
     Ok(())
 }
 
-/// Reads a tissue.
+/// Reads a tissue (soft tissue of a face) from bytes.
 ///
 /// # Errors
 /// Another version, a wrong length, or a value that cannot be.

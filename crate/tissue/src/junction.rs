@@ -24,7 +24,7 @@ fn pull(tension: f32) -> f32 {
     (AT_REST + tension) * (AT_REST + tension)
 }
 
-/// Share of a free muscle's movement that is its own doing, by its contraction.
+/// Returns the share of a free muscle's movement that its own contraction causes, 0 to 1.
 pub(super) fn own_share(contraction: f32) -> f32 {
     let pulled = contraction * contraction;
     pulled / (pulled + AT_REST * AT_REST)
@@ -67,7 +67,8 @@ struct End {
     anchors: Range<usize>,
 }
 
-/// Junctions at which muscles of a face are attached to each other.
+/// Junctions at which muscles of a face are attached to each other, so that they pull each other
+/// along.
 #[derive(Clone, Debug)]
 pub(super) struct Junctions {
     meetings: Vec<JunctionPoint>,

@@ -1,7 +1,7 @@
 //! Four-lane vectors that a processor computes simultaneously. Only lane-wise operations are used,
 //! and sums over lanes are added in order, so the bits are the same on every machine.
 
-/// Displacement or position, metres, with a fourth number that is 0 unless stated otherwise.
+/// SIMD displacement or position, metres; the fourth number is 0 unless specified otherwise.
 pub(super) type Vector = wide::f32x4;
 
 /// Number of SIMD lanes.

@@ -7,7 +7,8 @@ use super::lanes::{LANES, Vector, four, length, xyz};
 pub(super) const STEPS_PER_S: f32 = 120.0;
 pub(super) const STEP_SECS: f32 = 1.0 / STEPS_PER_S;
 
-/// Of the edges of the skin; diagonals, which resist shear, have a part of it. Designed.
+/// Stiffness of the springs along the edges of the skin, 1/s²; diagonals, which resist shear, have
+/// a part of it. Designed.
 const SKIN_PER_S2: f32 = 900.0;
 const DIAGONAL: f32 = 0.5;
 /// Stiffness of each of the two springs that hold a node over its position: to the layer under it,
@@ -26,7 +27,7 @@ const MIN_FRICTION_PER_S: f32 = 60.0;
 /// lips crowd, and no time step would be short enough for springs of a tenth of a millimetre.
 const APART_M: f32 = 0.001;
 
-/// Of nodes equally far in front the upper one counts as foremost.
+/// Slope by which, of nodes equally far in front, the upper one counts as foremost.
 const ASLANT: f32 = 0.37;
 
 /// Returns the leader of each node: the foremost node among those joined by edges too short for
@@ -55,7 +56,7 @@ pub(super) fn leaders(places: &[Vector], edges: impl Iterator<Item = [u16; 2]>) 
 }
 
 /// Edge or diagonal of the skin with at least one end led by another node. The spring is between
-/// their leaders; this edge has a length limit too.
+/// the leaders; this edge has a length limit too.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     pub(super) leaders: [u16; 2],
@@ -64,7 +65,7 @@ pub(super) struct Edge {
     pub(super) rest: f32,
 }
 
-/// Four springs of the skin, processed with SIMD.
+/// Four springs of the skin, processed together with SIMD.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpringX4 {
     pub(super) ends: [[u16; 2]; LANES],
@@ -96,7 +97,7 @@ impl SpringX4 {
     }
 }
 
-/// Connecting springs of four nodes, two each.
+/// Connecting springs of four nodes, two each, which hold the skin over the layers beneath.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ConnectingSprings {
     /// Distance from the node to their ends.
@@ -132,7 +133,7 @@ impl ConnectingSprings {
 }
 
 impl Edge {
-    /// Those between the nodes of `pairs`.
+    /// Returns the edges between the nodes of `pairs`.
     pub(super) fn all(places: &[Vector], leaders: &[u16], pairs: &[([u16; 2], f32)]) -> Vec<Self> {
         let mut pairs: Vec<[u16; 2]> = pairs.iter().map(|(ends, _)| *ends).collect();
         pairs.sort_unstable();
@@ -153,8 +154,8 @@ impl Edge {
     }
 }
 
-/// The edges and diagonals of faces, the lower node first, with their stiffness; those between
-/// two faces twice.
+/// Returns the edges and diagonals of faces, the lower node first, with their stiffness; edges
+/// between two faces occur twice.
 pub(super) fn pairs_of(quads: &[[u16; 4]]) -> Vec<([u16; 2], f32)> {
     let mut pairs = Vec::with_capacity(quads.len() * 6);
     for q in quads {
@@ -168,7 +169,7 @@ pub(super) fn pairs_of(quads: &[[u16; 4]]) -> Vec<([u16; 2], f32)> {
     pairs
 }
 
-/// The springs of the skin: ends, sorted, and the stiffness and the length at rest of each.
+/// Computes the springs of the skin: sorted ends, and the stiffness and the rest length of each.
 pub(super) fn skin(
     places: &[Vector],
     leaders: &[u16],

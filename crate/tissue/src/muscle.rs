@@ -11,9 +11,9 @@ use std::borrow::Cow;
 
 use raconteur_base::Side;
 
-/// Facial muscle, by its index in the table. The reference head of F&H has 24 major ones; here
-/// paired muscles count as two, and the frontal belly and the ring of the mouth are divided,
-/// because their fibres are controlled separately.
+/// Facial muscle, as an index in the table. Paired muscles count as two; the frontal belly and the
+/// ring of the mouth are divided, because their fibres are controlled separately. The reference
+/// head of F&H has 24 major muscles.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Muscle(u8);
 
@@ -38,15 +38,15 @@ impl fmt::Debug for Muscle {
     }
 }
 
-/// The muscles of a table, in its order.
+/// Set of facial muscles, in the order of its table: the built-in table or one read from text.
 #[derive(Clone, Debug)]
 pub struct Anatomy(Cow<'static, [Traits]>);
 
 impl Anatomy {
-    /// Those that this program was built with.
+    /// Muscles of the built-in table.
     pub const SHIPPED: Self = Self(Cow::Borrowed(&ROWS));
 
-    /// Those of the text of a table, at most 256 with both sides counted.
+    /// Parses a table of muscles, at most 256 with both sides counted.
     ///
     /// # Errors
     /// What is wrong with the table.
@@ -72,7 +72,7 @@ impl Anatomy {
         self.0.len()
     }
 
-    /// The muscle of a name; letters may be great or small.
+    /// Returns the muscle with a name, regardless of case; `None` for an unknown name.
     #[must_use]
     pub fn by_name(&self, name: &str) -> Option<Muscle> {
         let is_it = |traits: &Traits| traits.name.eq_ignore_ascii_case(name);
@@ -96,24 +96,26 @@ impl Anatomy {
 }
 
 impl Muscle {
-    /// All muscles in the order of [`FaceControls::contraction`](super::FaceControls).
+    /// Iterates over all muscles in the order of
+    /// [`FaceControls::contraction`](super::FaceControls).
     pub fn all() -> impl Iterator<Item = Self> {
         (0..MUSCLES as u8).map(Self)
     }
 
-    /// Returns its index in [`FaceControls::contraction`](super::FaceControls).
+    /// Returns the index of the muscle in [`FaceControls::contraction`](super::FaceControls).
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 
-    /// Its name in stories: anatomical, with its side at the end if it has one.
+    /// Returns the name of the muscle in stories: anatomical, with its side at the end if it has
+    /// one.
     #[must_use]
     pub fn name(self) -> &'static str {
         &ROWS[self.index()].name
     }
 
-    /// The muscle of a name; letters may be great or small.
+    /// Returns the muscle with a name, regardless of case; `None` for an unknown name.
     #[must_use]
     pub fn by_name(name: &str) -> Option<Self> {
         Anatomy::SHIPPED.by_name(name)
@@ -125,7 +127,7 @@ impl Muscle {
         ROWS[self.index()].side
     }
 
-    /// The same muscle of the other side; itself in the middle.
+    /// Returns the same muscle on the other side; a muscle in the middle returns itself.
     #[must_use]
     pub fn mirrored(self) -> Self {
         match self.side() {

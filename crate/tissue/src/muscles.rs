@@ -27,12 +27,12 @@ const THIN_MM: f32 = 2.2;
 /// Designed, within the 1 to 4 mm that ultrasound shows of them.
 const THICK_MM: f32 = 2.5;
 
-/// Muscles of a face and their state under contraction.
+/// Muscles of a face and the movement of their fibres under the current contractions.
 #[derive(Clone, Debug)]
 pub(super) struct Muscles {
     /// Middle of the mouth at rest.
     mouth: [f32; 3],
-    /// Half its width.
+    /// Half the width of the mouth, metres.
     half_width: f32,
     junctions: Junctions,
     /// Shortening and bulge, metres, of each fibre's muscle.
@@ -57,9 +57,9 @@ pub(super) struct Muscles {
 struct Segment {
     /// Movement of the point.
     start: Vector,
-    /// From there to the movement of the next.
+    /// Difference from the movement of this point to the movement of the next.
     way: Vector,
-    /// As [`Muscles::own`] of the point.
+    /// Value of [`Muscles::own`] for the point.
     own: f32,
     /// True if the last contraction changed it.
     is_new: bool,

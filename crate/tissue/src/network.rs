@@ -28,7 +28,7 @@ const AGE_LINES: [f32; 3] = [1.0, 0.75, 0.45];
 #[derive(Clone, Copy, Debug)]
 struct Fold {
     node: u16,
-    /// Of [`NodeState::wrinkles`].
+    /// Index of the channel in [`NodeState::wrinkles`].
     channel: u8,
     muscle: Muscle,
     /// Share of the muscle's movement that the node follows.
@@ -64,8 +64,8 @@ impl Fold {
     }
 }
 
-/// Dynamic state of the tissue of one face. It depends only on the controls since
-/// [`Network::reset`]; a step allocates nothing.
+/// Dynamic state of the tissue of one face, a network of point masses and springs. It depends only
+/// on the controls since [`Network::reset`]; a step allocates nothing.
 #[derive(Clone, Debug)]
 pub struct Network {
     muscles: Muscles,
@@ -93,13 +93,13 @@ pub struct Network {
 }
 
 impl Network {
-    /// A face at rest.
+    /// Creates the network of a face at rest with the built-in muscles.
     #[must_use]
     pub fn new(tissue: &Tissue) -> Self {
         Self::with(tissue, &Anatomy::SHIPPED)
     }
 
-    /// A face at rest whose muscles are those of a table.
+    /// Creates the network of a face at rest with the muscles of a table.
     #[must_use]
     pub fn with(tissue: &Tissue, anatomy: &Anatomy) -> Self {
         let places: Vec<Vector> = tissue.rest.iter().copied().map(vector).collect();
@@ -164,8 +164,8 @@ impl Network {
         self.step_with(tissue, controls, &[]);
     }
 
-    /// As [`step`](Self::step), with contractions of muscles beyond those that this program was
-    /// built with, in the order of their table; 0 where there are fewer than of these.
+    /// Advances the network as [`step`](Self::step) does, with contractions of muscles beyond the
+    /// built-in ones, in the order of their table; missing values are 0.
     pub fn step_with(&mut self, tissue: &Tissue, controls: &FaceControls, more: &[f64]) {
         self.set_controls(tissue, controls, more);
         self.springs.step(&self.holds, &self.earlier);
@@ -289,7 +289,7 @@ impl Network {
         }
     }
 
-    /// Returns the number of point masses and springs.
+    /// Returns the number of point masses and the number of springs.
     #[must_use]
     pub fn size(&self) -> (usize, usize) {
         (self.outwards.len(), self.springs.count())
@@ -353,13 +353,13 @@ impl Network {
         Some([0, 1, 2].map(|k| place[k] - depth * outwards[k]))
     }
 
-    /// The fastest node, metres a second.
+    /// Returns the speed of the fastest node, m/s.
     #[must_use]
     pub fn fastest_m_per_s(&self) -> f32 {
         self.springs.fastest()
     }
 
-    /// The most that an edge or diagonal of the skin is stretched, against its length at rest.
+    /// Returns the largest stretch of an edge or diagonal of the skin, relative to its rest length.
     #[must_use]
     pub fn most_stretched_edge(&self) -> f32 {
         self.springs.most_stretched()
@@ -386,14 +386,14 @@ impl Network {
         own.map_or(0.0, |own| own.clamp(0.0, 1.0))
     }
 
-    /// Steps of the network a second.
+    /// Returns the number of simulation steps per second.
     #[must_use]
     pub fn steps_per_s() -> f64 {
         f64::from(STEPS_PER_S)
     }
 }
 
-/// Unit normals of nodes, by area of the faces around.
+/// Computes the unit normals of nodes, weighted by the area of the adjacent faces.
 fn normals_of(quads: &[[u16; 4]], places: &[Vector], normals: &mut [Vector]) {
     normals.fill(Vector::default());
     for quad in quads {

@@ -19,9 +19,11 @@ const STEP: f32 = 0.6;
 /// is smoothed, and beyond which smoothing is full; millimetres on the reference head.
 const FROM_LIPS_MM: [f32; 2] = [2.5, 10.0];
 const FROM_EYE_MM: [f32; 2] = [17.0, 26.0];
-/// The same from the midline, between the base of the nose and the eyes.
+/// Distances from the midline, between the base of the nose and the eyes, within which nothing is
+/// smoothed and beyond which smoothing is full; millimetres on the reference head.
 const FROM_NOSE_MM: [f32; 2] = [14.0, 20.0];
-/// The same from where muscles of the ear end: its root is stiff.
+/// Distances from the ends of the ear muscles within which nothing is smoothed and beyond which
+/// smoothing is full, millimetres on the reference head: the ear's root is stiff.
 const FROM_EAR_MM: [f32; 2] = [7.0, 16.0];
 /// Distance below the lips at which the throat begins: the jaw's effect on it during opening is
 /// smooth, with a sharp bend at the end of the jaw's weight.
@@ -29,7 +31,7 @@ const BELOW_LIPS_MM: [f32; 2] = [38.0, 52.0];
 /// Height above the eyes at which the nose's region ends, millimetres.
 const ABOVE_NOSE_MM: [f32; 2] = [22.0, 34.0];
 
-/// The displacements of a face's skin, smoothed.
+/// Smoothing of the displacements of a face's skin.
 #[derive(Clone, Debug)]
 pub(super) struct Smoothing {
     /// Moving nodes, and the weight of each towards the mean of its neighbours.
@@ -51,7 +53,7 @@ const EARS: [Muscle; 6] = [
     Muscle::AuricularisPosteriorRight,
 ];
 
-/// 0 below the first, 1 above the second.
+/// Returns a linear ramp: 0 below the first value, 1 above the second.
 fn ramp([low, high]: [f32; 2], x: f32) -> f32 {
     ((x - low) / (high - low)).clamp(0.0, 1.0)
 }

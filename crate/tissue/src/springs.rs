@@ -31,7 +31,7 @@ const STRAIN_STIFFENING: f32 = 3.0;
 /// Length below which a vector has no direction, metres.
 const MIN_M: f32 = 1e-9;
 
-/// Current hold of a node.
+/// Position and direction at which a node is held in the current step.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct NodeHold {
     /// Position of the node without other forces.
@@ -74,14 +74,14 @@ impl IndexSet {
     }
 }
 
-/// Masses and springs.
+/// Point masses and springs of the skin, and their state.
 #[derive(Clone, Debug)]
 pub(super) struct Springs {
     /// The nodes at the ends of each spring of the skin, the lower one first, sorted.
     ends: Vec<[u16; 2]>,
     /// Their lengths at rest.
     rest: Vec<f32>,
-    /// All of them, and how strongly they pull in a step.
+    /// All springs in groups of four, with the strength of their pull in a step.
     fours: Vec<SpringX4>,
     pulls: Vec<f32>,
     /// Counted after the springs where both are meant.
@@ -102,7 +102,7 @@ pub(super) struct Springs {
     /// True if any spring may be overlong, false if only `suspects` may be.
     has_stepped: bool,
     suspects: IndexSet,
-    /// Those of the round before.
+    /// Suspected overlong springs of the previous round.
     looked_at: IndexSet,
     /// Nodes at the ends of those that are too long.
     pulled: IndexSet,
@@ -358,7 +358,7 @@ impl Springs {
         }
     }
 
-    /// The fastest node, metres a second.
+    /// Returns the speed of the fastest node, m/s.
     pub(super) fn fastest(&self) -> f32 {
         self.velocities
             .iter()
@@ -366,7 +366,7 @@ impl Springs {
             .fold(0.0, f32::max)
     }
 
-    /// The most that a spring or an edge of the skin is stretched, against its length at rest.
+    /// Returns the largest stretch of a spring or an edge of the skin, relative to its rest length.
     pub(super) fn most_stretched(&self) -> f32 {
         let springs = self.ends.iter().zip(&self.rest);
         let springs = springs.map(|(ends, rest)| (*ends, Vector::default(), *rest));

@@ -2,14 +2,14 @@
 //! that the compiler checks names and nothing is read at run time; the figure generator also uses
 //! it later.
 
-/// A row of the table: a muscle in the middle of the face, or a pair.
+/// Row of the muscle table: a muscle in the middle of the face, or a pair.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Row<'a> {
-    /// Its name in stories, without its side.
+    /// Name of the muscle in stories, without its side.
     pub(crate) name: &'a str,
     /// True if there is one muscle on each side.
     pub(crate) is_pair: bool,
-    /// Its name in the program, without its side.
+    /// Name of the muscle in the code, without its side.
     pub(crate) code: &'a str,
     /// Share of its length that it loses at full contraction, 0 to 1.
     pub(crate) shortens: f32,
@@ -50,7 +50,7 @@ pub(crate) fn read(text: &str) -> Result<Vec<Row<'_>>, String> {
     Ok(rows)
 }
 
-/// The rows of any table whose first columns are these.
+/// Parses the rows of a table whose first columns have the given names.
 pub(crate) fn lines<'a, T>(
     text: &'a str,
     columns: &[&str],

@@ -4,7 +4,7 @@
 
 use super::Muscle;
 
-/// A point of a muscle fibre at rest.
+/// Point of a muscle fibre at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FibrePoint {
     /// Position in the bind pose, metres.
@@ -15,7 +15,7 @@ pub struct FibrePoint {
     pub jaw: f32,
 }
 
-/// Movement of a fibre's points on contraction.
+/// Path along which the points of a fibre move on contraction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FibreCurve {
     /// Towards the first point, the origin, along the fibre. Points are evenly spaced.
@@ -32,20 +32,20 @@ pub enum FibreCurve {
     },
 }
 
-/// A fibre: a piece of a muscle's grid (F&H 3.1.2, "Building Muscles").
+/// Muscle fibre, a piece of a muscle's grid (F&H 3.1.2, "Building Muscles").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fibre {
     /// Muscle of the fibre.
     pub muscle: Muscle,
-    /// Movement on contraction.
+    /// Path of the movement on contraction.
     pub course: FibreCurve,
-    /// Its first point in [`Tissue::points`].
+    /// Index of the fibre's first point in [`Tissue::points`].
     pub first: u16,
     /// Number of points, at least two.
     pub count: u8,
 }
 
-/// Attachment of a node to a fibre.
+/// Attachment of a skin node to a muscle fibre, through which the fibre moves the skin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attachment {
     /// Point of the fibre before the attachment.
@@ -68,7 +68,7 @@ pub struct Link {
     pub weight: f32,
 }
 
-/// Both lips at one position along the mouth.
+/// Both lips at one position along the mouth, with the data for closing them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Column {
     /// Nodes of the upper and of the lower lip that touch each other at rest.
@@ -79,26 +79,26 @@ pub struct Column {
     pub bites: f32,
 }
 
-/// A node that moves with its column when the lips are sealed.
+/// Node that moves with its column when the lips are sealed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LipNode {
-    /// The node.
+    /// Index of the node.
     pub node: u16,
-    /// Its column.
+    /// Index of its column in the mouth.
     pub column: u16,
     /// Share of the gap that it closes: up to −0.36 in the upper lip, 0.64 in the lower.
     pub closes: f32,
 }
 
-/// The outer face of one row of teeth with its gums: distance from an upright axis by height
-/// and direction.
+/// Outer face of one row of teeth with its gums, for collisions of the lips: distance from an
+/// upright axis by height and direction.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Arch {
     /// A point of the axis, at the height of the first row; bind pose, metres.
     pub origin: [f32; 3],
     /// Distance between rows, metres.
     pub step_m: f32,
-    /// Rows, upwards.
+    /// Number of rows, upwards.
     pub rows: u16,
     /// Columns from the right, where the direction is −1, to the left, where it is 1; see
     /// [`Arch::direction`].
@@ -108,15 +108,16 @@ pub struct Arch {
 }
 
 impl Arch {
-    /// A measure of direction about the axis without trigonometry: 0 ahead, ±1 to the sides.
+    /// Returns a measure of direction about the axis without trigonometry: 0 ahead, ±1 to the
+    /// sides.
     #[must_use]
     pub fn direction(x: f32, z: f32) -> f32 {
         x / (x.abs() + z.max(1e-6))
     }
 }
 
-/// Soft tissue of a face. The lengths of the lists are given by their parts; code that reads them
-/// from a file checks this once.
+/// Soft tissue of a face: skin nodes, muscle fibres and their connections. The lengths of the lists
+/// depend on each other; code that reads them from a file checks this once.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tissue {
     /// Size against the reference head, about 1.
@@ -137,7 +138,7 @@ pub struct Tissue {
     pub quads: Vec<[u16; 4]>,
     /// Fibres of the muscles.
     pub fibres: Vec<Fibre>,
-    /// Their points.
+    /// Points of all fibres.
     pub points: Vec<FibrePoint>,
     /// Start of each node's attachments, plus one entry for the end.
     pub starts: Vec<u32>,

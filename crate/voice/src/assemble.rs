@@ -27,18 +27,18 @@ const FADE_IN_SECS: f64 = 0.03;
 
 /// Gain of a recording while somebody speaks over it: a factor for 12 dB.
 const DUCKED: f64 = 0.25;
-/// It becomes softer and louder again within this time, seconds.
+/// Time within which a recording fades down or up around speech over it, seconds.
 const DUCK_SECS: f64 = 0.25;
 
 /// Maximum sample value: −1.5 dB, which leaves the encoders half a decibel below −1.
 const PEAK: f64 = 0.84;
-/// From here on peaks are rounded off: the sharp ones of loud voices, once in a period.
+/// Amplitude above which peaks are rounded off: the sharp peaks of loud voices, one in each period.
 const KNEE: f64 = 0.7;
 
 /// The window of intensity, seconds: two periods of a low voice.
 const INTENSITY_WINDOW_SECS: f64 = 0.032;
 
-/// A sentence that is ready.
+/// Synthesised sentence, ready to be assembled to an utterance.
 pub struct SpokenSentence {
     /// Final audio and times.
     pub spoken: Spoken,
@@ -48,20 +48,20 @@ pub struct SpokenSentence {
     pub moved_pauses: Vec<(usize, f64)>,
 }
 
-/// The sound of an utterance, and its data but names and files.
+/// Assembled audio of an utterance, and its data except keys and audio files.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Speech {
     /// Mono, −1 to 1.
     pub samples: Vec<f64>,
-    /// Samples a second.
+    /// Sample rate, Hz.
     pub rate_hz: f64,
-    /// All times and frames; no key, no audio.
+    /// Utterance with all times and frames, without key and audio files.
     pub utterance: Utterance,
 }
 
-/// A recording, decoded to the rate of the utterance.
+/// Recording that is mixed into an utterance, decoded to the sample rate of the utterance.
 pub struct Recording {
-    /// Mono.
+    /// Mono samples.
     pub samples: Vec<f64>,
 }
 
@@ -206,7 +206,7 @@ impl<'a> Assembly<'a> {
         phone_of
     }
 
-    /// The samples between two times.
+    /// Returns the samples between two times.
     fn slice(&self, samples: &'a [f64], from_secs: f64, to_secs: f64) -> &'a [f64] {
         let rate_hz = self.tape.rate_hz;
         let index = |secs: f64| ((secs * rate_hz).round().max(0.0) as usize).min(samples.len());

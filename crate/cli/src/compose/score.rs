@@ -425,7 +425,7 @@ mod tests {
     #[test]
     fn what_means_nothing_is_named() {
         for (from, to, said) in [
-            ("* - - .", "* - h .", "\"h\" is no note"),
+            ("* - - .", "* - h .", "\"h\" is not a note"),
             ("Am |", "Hm |", "Hm"),
             ("\"arp:-6>0\"", "\"harp\"", "no pattern harp"),
             ("\"kick\"", "\"gong\"", "gong"),

@@ -109,5 +109,5 @@ fn devices_are_refused() {
     let workshop = BakeFixture::new();
     symlink("/dev/zero", workshop.path("story/a.wav")).unwrap();
     let told = refused(&workshop, PLAYS);
-    assert!(told.contains("leads out"), "{told}");
+    assert!(told.contains("target outside"), "{told}");
 }

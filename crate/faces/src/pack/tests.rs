@@ -116,8 +116,8 @@ fn strangers_are_named() {
     let mut other = bytes.clone();
     other[6] = 9;
     for (bytes, why) in [
-        (&b""[..], "no pack of faces"),
-        (b"{\"json\": 1}", "no pack of faces"),
+        (&b""[..], "not a face pack"),
+        (b"{\"json\": 1}", "not a face pack"),
         (&other, "another version"),
         (&bytes[..bytes.len() - 1], "pack of faces cannot be read"),
         (&bytes[..9], "pack of faces cannot be read"),

@@ -11,11 +11,12 @@ pub struct SurfacePoint {
     pub place: DVec3,
     /// Outward unit normal of the surface.
     pub normal: DVec3,
-    /// Skinning weights there.
+    /// Skinning weights of the surface at the point.
     pub weights: Weights,
 }
 
-/// Surface on which to lay items.
+/// Cloth surface with its normals, onto which the tailor projects the paths of strips, cords and
+/// buttons.
 #[derive(Clone, Debug)]
 pub struct LayingSurface<'a> {
     shell: &'a Shell,
@@ -23,7 +24,7 @@ pub struct LayingSurface<'a> {
 }
 
 impl<'a> LayingSurface<'a> {
-    /// Of a shell.
+    /// Prepares a shell as a laying surface by computing its normals.
     #[must_use]
     pub fn new(shell: &'a Shell) -> Self {
         Self {
@@ -32,14 +33,14 @@ impl<'a> LayingSurface<'a> {
         }
     }
 
-    /// The surface near a point: the mean of its nearest points, and the point moved onto
-    /// it along the normal.
+    /// Projects a point onto the surface: averages the nearest surface points and moves the point
+    /// along their normal.
     #[must_use]
     pub fn project(&self, p: DVec3) -> SurfacePoint {
         self.nearest(p, |q| q.distance_squared(p))
     }
 
-    /// Height of its highest point, metres.
+    /// Returns the height of the highest point of the surface, metres.
     #[must_use]
     pub fn top(&self) -> f64 {
         self.shell
@@ -82,7 +83,7 @@ impl<'a> LayingSurface<'a> {
         }
     }
 
-    /// The surface straight below a point.
+    /// Returns the surface point vertically below a point.
     #[must_use]
     pub fn above(&self, p: DVec3) -> SurfacePoint {
         let spot = self.nearest_of(
@@ -187,12 +188,13 @@ pub fn soften(path: &mut [SurfacePoint], rounds: usize) {
     }
 }
 
-/// A flat band; metres.
+/// Cross-section of a flat strip that is laid on cloth, for example a placket or a pocket edge;
+/// metres.
 #[derive(Clone, Copy, Debug)]
 pub struct Strip {
-    /// Across the path.
+    /// Width across the path, metres.
     pub width: f64,
-    /// Above the cloth.
+    /// Height above the cloth, metres.
     pub thickness: f64,
     /// True if the path is closed.
     pub closed: bool,
@@ -208,7 +210,7 @@ const EDGE: [(f64, f64); 6] = [
     (1.0, -0.8),
 ];
 
-/// A strip along a path, rounded at its edges.
+/// Builds a strip with rounded edges along a path of surface points.
 #[must_use]
 pub fn strip(path: &[SurfacePoint], shape: &Strip) -> Shell {
     let frames = frames(path, shape.closed);
@@ -228,7 +230,7 @@ pub fn strip(path: &[SurfacePoint], shape: &Strip) -> Shell {
     out
 }
 
-/// A round cord along a path, lying on the cloth and closed at its ends.
+/// Builds a round cord along a path, lying on the cloth and closed at its ends; `radius` in metres.
 #[must_use]
 pub fn cord(path: &[SurfacePoint], radius: f64) -> Shell {
     const AROUND: usize = 6;
@@ -313,7 +315,7 @@ fn orient(shell: &mut Shell, path: &[SurfacePoint], m: usize, k: usize) {
     }
 }
 
-/// A dished disc with a rounded rim.
+/// Builds a button, a dished disc with a rounded rim, at a surface point; `radius` in metres.
 #[must_use]
 pub fn button(spot: &SurfacePoint, radius: f64) -> Shell {
     const AROUND: usize = 8;

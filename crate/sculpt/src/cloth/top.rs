@@ -21,7 +21,8 @@ use crate::torso::{CM, Cage, Field, Joints, Regions, Shell};
 use raconteur_body::figure::MaterialKind;
 use raconteur_body::skeleton::Bone;
 
-/// Distance along the nearer arm from its shoulder, metres; negative inside the trunk.
+/// Returns the distance of a point from the shoulder along the nearer arm, metres; negative inside
+/// the trunk.
 pub(super) fn along_arm(joints: &Joints, p: DVec3) -> f64 {
     let left = if p.x >= 0.0 { p } else { mirror_vector(p) };
     (left - joints.position_of(Bone::LShoulder)).dot(Joints::arm_axis())
@@ -194,7 +195,7 @@ impl Top {
         sew(&mut self.sheet, &lines, stitch);
     }
 
-    /// The cloth as a part.
+    /// Converts the cloth of the garment to a drawable mesh part.
     #[must_use]
     pub fn to_part(&self, wearer: &Wearer<'_>, cut: &TopCut) -> MeshPart {
         let charts = charts(wearer);
@@ -223,7 +224,7 @@ impl Top {
         )
     }
 
-    /// Height of the hem's lowest point, metres.
+    /// Returns the height of the lowest point of the hem, metres.
     pub(super) fn lowest_of_hem(&self) -> f64 {
         self.hem
             .iter()
@@ -231,7 +232,8 @@ impl Top {
             .fold(f64::MAX, f64::min)
     }
 
-    /// A band along the neck, the hem or a cuff: chart 0 is the trunk's.
+    /// Builds a band along the edge of the neck, the hem or a cuff, with its surface. Chart 0 is
+    /// the chart of the trunk.
     #[must_use]
     pub fn band(
         &self,
@@ -258,7 +260,7 @@ impl Top {
         (part, shell)
     }
 
-    /// Ribbed bands at hem and wrists; widths in centimetres on a body of 175 cm.
+    /// Builds ribbed bands at the hem and the wrists; widths in centimetres on a body of 175 cm.
     #[must_use]
     pub fn rib_bands(
         &self,

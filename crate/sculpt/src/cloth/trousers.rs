@@ -20,7 +20,7 @@ use raconteur_body::skeleton::Bone;
 /// Height of the top of the waistband, share of an adult's stature.
 const TOP: f64 = 0.580;
 
-/// Style of the leg ends.
+/// Style of the leg ends of trousers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LegEnd {
     /// A plain hem that breaks on the shoe.
@@ -29,10 +29,10 @@ pub enum LegEnd {
     Rolled,
 }
 
-/// Cut of trousers; centimetres on a body of 175 cm.
+/// Cut of trousers, from which [`trousers`] makes them; centimetres on a body of 175 cm.
 #[derive(Clone, Copy, Debug)]
 pub struct TrouserCut {
-    /// Cloth.
+    /// Fabric of the trousers.
     pub fabric: Fabric,
     /// Distance from the body at hip and ankle.
     pub ease_cm: [f64; 2],
@@ -48,7 +48,8 @@ pub struct TrouserCut {
     pub seed: u64,
 }
 
-/// Trousers and their surface.
+/// Tailors trousers for a body and returns their parts and their surface, on which other garments
+/// rest.
 #[must_use]
 pub fn trousers(wearer: &Wearer<'_>, cut: &TrouserCut) -> (Vec<MeshPart>, Shell) {
     let unit = CM * wearer.scale;
@@ -311,7 +312,8 @@ fn folds(sheet: &Sheet, wearer: &Wearer<'_>, cut: &TrouserCut) -> Vec<(Option<Si
     out
 }
 
-/// Outside and inside of the legs, and from the fly between them to the back.
+/// Sews the outer and the inner seams of the legs, and the seam from the fly between the legs to
+/// the back.
 fn seams(sheet: &mut Sheet, unit: f64) {
     let top = Cage::row_at(TOP);
     let mut lines = Vec::new();
@@ -335,7 +337,7 @@ fn seams(sheet: &mut Sheet, unit: f64) {
     sew(sheet, &lines, stitch);
 }
 
-/// The fly's flap, the mouths of the side pockets and patch pockets behind.
+/// Builds the flap of the fly, the openings of the side pockets and the patch pockets at the back.
 fn trimmings(
     sheet: &Sheet,
     lay: &LayingSurface<'_>,

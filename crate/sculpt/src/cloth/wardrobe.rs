@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Outfit of a figure; colours are linear RGB.
+/// Outfit of a figure: the garments and their colours, linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Outfit {
     /// A fine sweater with a soft high neck, trousers, leather shoes.
@@ -13,34 +13,34 @@ pub enum Outfit {
     Hoodie(Hoodie),
 }
 
-/// Colours from the waist down.
+/// Colours of the garments from the waist down: trousers, shoes and socks; linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Legs {
-    /// Trousers.
+    /// Colour of the trousers, linear RGB.
     pub trousers: [f64; 3],
     /// Uppers of the shoes.
     pub shoe: [f64; 3],
-    /// Soles.
+    /// Colour of the soles, linear RGB.
     pub sole: [f64; 3],
-    /// Socks.
+    /// Colour of the socks, linear RGB.
     pub sock: [f64; 3],
 }
 
-/// Colours of [`Outfit::Sweater`].
+/// Colours of the garments of [`Outfit::Sweater`], linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sweater {
-    /// Sweater.
+    /// Colour of the sweater, linear RGB.
     pub knit: [f64; 3],
-    /// Trousers and shoes.
+    /// Colours of the trousers and the shoes.
     pub legs: Legs,
 }
 
-/// Colours of [`Outfit::Cardigan`].
+/// Colours of the garments of [`Outfit::Cardigan`], linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cardigan {
-    /// Cardigan.
+    /// Colour of the cardigan, linear RGB.
     pub knit: [f64; 3],
-    /// Shirt.
+    /// Colour of the shirt, linear RGB.
     pub shirt: [f64; 3],
     /// Buttons of the cardigan.
     pub button: [f64; 3],
@@ -48,10 +48,10 @@ pub struct Cardigan {
     pub legs: Legs,
 }
 
-/// Colours of [`Outfit::Hoodie`].
+/// Colours of the garments of [`Outfit::Hoodie`], linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Hoodie {
-    /// Sweatshirt and hood.
+    /// Colour of the sweatshirt and its hood, linear RGB.
     pub fleece: [f64; 3],
     /// T-shirt at the neck.
     pub shirt: [f64; 3],

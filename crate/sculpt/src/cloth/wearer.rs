@@ -3,14 +3,14 @@
 use super::neck::Neck;
 use crate::torso::{BodyParams, Cage, Field, Joints};
 
-/// A body with everything that tailoring needs to know of it.
+/// Body for which garments are tailored, with its distance field, cage, joints and measures.
 #[derive(Clone, Copy, Debug)]
 pub struct Wearer<'a> {
-    /// Its distance field.
+    /// Distance field of the body, from which cloth keeps clear.
     pub field: &'a Field,
     /// The cage wrapped on it.
     pub cage: &'a Cage,
-    /// Its joints.
+    /// Positions and orientations of the bones in the rest pose.
     pub joints: &'a Joints,
     /// Skin under the collar.
     pub neck: &'a Neck,
@@ -21,7 +21,7 @@ pub struct Wearer<'a> {
 }
 
 impl<'a> Wearer<'a> {
-    /// The wearer of a body's measures.
+    /// Creates the wearer from the measures of a body and its surfaces.
     #[must_use]
     pub fn new(
         body: &BodyParams,

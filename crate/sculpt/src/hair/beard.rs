@@ -14,7 +14,7 @@ use crate::head::{Ear, Head, ScalpBinding, VertexWeights};
 use crate::part::{MeshPart, PartVertex};
 use raconteur_body::figure::Material;
 
-/// A beard.
+/// Parameters of a beard: length, cut and density.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BeardParams {
     /// Length at the chin, metres, 0.005..0.04.
@@ -72,7 +72,7 @@ const LAYERS: [BeardLayer; 3] = [
 ];
 /// Number of candidate positions.
 const TRIED: usize = 12_000;
-/// And as many more for each step of density.
+/// Additional number of candidate roots for each unit of beard density above 1.
 const TRIED_DENSE: f64 = 24_000.0;
 /// Beard density below which nothing grows; slightly above it, growth is partial.
 const MIN_DENSITY: f64 = 0.45;
@@ -128,7 +128,7 @@ impl<'a> Field<'a> {
         q - DVec3::Y * (self.lips_y - LIPS_Y) * slope(10.0, -30.0, q.y)
     }
 
-    /// Distance from the lips, metres.
+    /// Returns the distance of a point from the lips, metres.
     fn to_lips(&self, p: DVec3) -> f64 {
         let squared = self.lips.iter().map(|l| l.distance_squared(p));
         squared.fold(f64::MAX, f64::min).sqrt()
@@ -153,7 +153,7 @@ impl<'a> Field<'a> {
     }
 }
 
-/// Share of each vertex of the head's skin that a beard covers, 0..1.
+/// Returns the share of the skin that the beard covers at each vertex of the head, 0..1.
 pub(super) fn cover(head: &Head, p: &BeardParams) -> Vec<f64> {
     let field = Field::new(head, p);
     head.skin()

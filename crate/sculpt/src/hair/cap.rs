@@ -28,14 +28,14 @@ const PLAIN: f64 = 0.45;
 /// Distance from the head without ears above which skin counts as ear, metres.
 const ON_EAR_M: f64 = 0.004;
 
-/// A scalp, the line of hair on it, and how hair is combed over it.
+/// Scalp of a head: its distance field, its hairline and the combing field of the hair.
 pub(super) struct Scalp {
     pub(super) space: Space,
     pub(super) line: Line,
     pub(super) field: Field,
 }
 
-/// Hair painted on the scalp.
+/// Hair painted on the scalp below the hair cards, so that the skin does not show between them.
 pub(crate) struct Cap {
     /// Share of hair and its tone, on the flat scalp.
     strokes: Vec<[f32; 2]>,

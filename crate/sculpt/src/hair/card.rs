@@ -13,14 +13,14 @@ use raconteur_body::figure::Material;
 pub(super) const STRIPS: f64 = 16.0;
 /// Share of a strip that is left free at either side.
 const MARGIN: f64 = 0.016;
-/// Least height of a card's edges over the skin, metres.
+/// Minimum height of the edges of a card over the skin, metres.
 const EDGE_M: f64 = 0.0008;
 /// Drop of a card's sides below its middle, relative to half its width.
 const BOW: f64 = 0.10;
 /// Share of the card's own normal in the one that it is lit by; the rest is the hull's.
 const OWN_NORMAL: f64 = 0.25;
 
-/// Layout of a card along its path.
+/// Layout of a hair card along its path: length, width, taper and number of spans.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CardLayout {
     /// Metres.
@@ -42,10 +42,11 @@ pub(super) struct CardLayout {
     pub(super) whole: f64,
 }
 
-/// Joint weights of a row of a card, by its distance from the root in metres.
+/// Function that returns the joint weights of a row of a card; arguments: the card, the row, the
+/// distance from the root in metres.
 pub(super) type Joints<'a> = dyn Fn(&Card, usize, f64) -> Vec<(JointRef, f64)> + 'a;
 
-/// A row of a card: two vertices.
+/// One row of a hair card: two vertices, one at each side, with their directions.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
     pub(super) sides: [DVec3; 2],
@@ -69,7 +70,7 @@ impl Row {
     }
 }
 
-/// A strip in the frame of hair.
+/// Hair card: a textured strip that stands for a lock of hair, frame of the hair.
 #[derive(Clone, Debug)]
 pub(super) struct Card {
     pub(super) rows: Vec<Row>,
@@ -82,7 +83,7 @@ pub(super) struct Card {
 }
 
 impl Card {
-    /// Along a path whose points are `step` apart, facing away from the head.
+    /// Lays a card along a path whose points are `step` metres apart, facing away from the head.
     pub(super) fn along(space: &Space, path: &[DVec3], step: f64, laid: &CardLayout) -> Self {
         let clear = |p: DVec3| space.pushed(p, EDGE_M);
         Self::laid(path, step, laid, &|p| space.hull_normal(p), &clear)
@@ -149,7 +150,7 @@ impl Card {
         }
     }
 
-    /// As hair that hangs from a tie.
+    /// Marks the card as hair that hangs from a tie, not from the scalp.
     pub(super) fn free(self) -> Self {
         Self {
             is_free: true,
@@ -157,18 +158,18 @@ impl Card {
         }
     }
 
-    /// Width at row `i`, metres.
+    /// Returns the width of the card at row `i`, metres.
     pub(super) fn width(&self, i: usize) -> f64 {
         self.rows[i].sides[0].distance(self.rows[i].sides[1])
     }
 
-    /// From root to tip, metres.
+    /// Returns the length of the card from root to tip, metres.
     pub(super) fn length(&self) -> f64 {
         let rows = self.rows.windows(2);
         rows.map(|w| w[0].middle().distance(w[1].middle())).sum()
     }
 
-    /// u at either side.
+    /// Returns the texture coordinate u at either side of the card.
     pub(super) fn across(&self) -> [f64; 2] {
         let first = f64::from(self.strip) / STRIPS;
         let sides = [first + MARGIN / STRIPS, first + (1.0 - MARGIN) / STRIPS];
@@ -189,7 +190,7 @@ fn tapered([root, third, tip]: [f64; 3], t: f64) -> f64 {
     }
 }
 
-/// An empty part of hair.
+/// Creates an empty mesh part for hair.
 pub(super) fn empty(name: &str, material: &Material) -> MeshPart {
     MeshPart {
         name: name.to_owned(),
@@ -201,7 +202,7 @@ pub(super) fn empty(name: &str, material: &Material) -> MeshPart {
     }
 }
 
-/// All cards as one piece in the frame of the head.
+/// Joins all cards into one mesh part in the frame of the head.
 pub(super) fn piece(
     material: &Material,
     frame: &Frame,
@@ -246,7 +247,7 @@ pub(super) fn piece(
     }
 }
 
-/// A quad of a card, counter-clockwise from outside.
+/// Returns the quad between rows `i` and `i + 1` of a card, counter-clockwise from outside.
 fn outward(card: &Card, i: usize, base: u32) -> Vec<u32> {
     let (a, b) = (&card.rows[i], &card.rows[i + 1]);
     let face = (b.sides[0] - a.sides[0]).cross(a.sides[1] - a.sides[0]);

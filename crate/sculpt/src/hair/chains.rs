@@ -39,7 +39,7 @@ const MIN_WEIGHT_SUM: f64 = 0.5;
 enum Kind {
     /// Round the head, by height.
     Hanging { top: f64, pitch: f64 },
-    /// Over the forehead, from root to tip.
+    /// Chain over the forehead, from root to tip.
     Fringe,
     /// One chain, for tied hair.
     Tail,
@@ -47,7 +47,8 @@ enum Kind {
     Still,
 }
 
-/// The chains of a head of hair, in its frame.
+/// Guide chains of swinging hair on one head, frame of the hair. Hanging cards follow the chains
+/// next to them.
 pub(super) struct Chains {
     kind: Kind,
     pub(super) guides: Vec<HairChain>,

@@ -61,7 +61,7 @@ impl Grower<'_> {
         self.params.length * (side + top * step(-12.0, 48.0, elevation)) * uneven * line
     }
 
-    /// A tuft from within the mass to its surface.
+    /// Builds a tuft of coily hair that runs from inside the mass of hair to its surface.
     fn tuft(&self, layer: &Layer, number: u64, root: &Root, i: i64) -> Card {
         let seed = self.params.seed + 1000 * (number + 1);
         let dice = |k: u64| noise::unit(seed, k, i);

@@ -15,7 +15,7 @@ const TIP: f64 = 1.30;
 /// Spread of tones among cards.
 const SPREAD: f64 = 0.42;
 
-/// Colours of single cards over a common base.
+/// Colours of individual hair cards, stored as factors over the common base colour of the material.
 pub(super) struct Palette {
     /// The material's colour.
     pub(super) base: [f64; 3],
@@ -49,8 +49,8 @@ impl Palette {
         (g + 0.3 * noise::signed(self.seed, 503, id) * g * (1.0 - g)).clamp(0.0, 1.0)
     }
 
-    /// Colour over the base at a share of a hair's length; `tint` 0..1 is the card's tone, `grey`
-    /// its share of white hairs.
+    /// Returns the colour as a factor of the base at a share of the hair's length; `tint` 0..1 is
+    /// the tone of the card, `grey` its share of white hairs.
     pub(super) fn shade(&self, share: f64, tint: f64, grey: f64) -> [f64; 3] {
         let t = smooth(share);
         let tone = ops::exp(SPREAD * (tint - 0.5));
@@ -62,7 +62,7 @@ impl Palette {
         })
     }
 
-    /// Colour at the root, linear RGB.
+    /// Returns the colour of hair at the root, linear RGB.
     pub(super) fn root(&self) -> [f64; 3] {
         let shade = self.shade(0.0, 0.5, self.grey);
         core::array::from_fn(|i| shade[i] * self.base[i])

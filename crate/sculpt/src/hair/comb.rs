@@ -8,13 +8,15 @@ use super::line::angles;
 use super::style::{Comb, Style};
 use crate::texture::space_noise;
 
-/// 0 at `from` and beyond, 1 at `to` and beyond, smooth between; the two may be in either order.
+/// Smooth step: returns 0 at `from` and before, 1 at `to` and beyond; `from` may be greater than
+/// `to`.
 pub(super) fn step(from: f64, to: f64, x: f64) -> f64 {
     let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
 
-/// Three noises as a vector.
+/// Returns a vector of three independent noise values at a position; `pace` is the frequency, cells
+/// per metre.
 pub(super) fn stray(seed: u64, p: DVec3, pace: f64) -> DVec3 {
     let q = p * pace;
     DVec3::new(
@@ -24,7 +26,7 @@ pub(super) fn stray(seed: u64, p: DVec3, pace: f64) -> DVec3 {
     )
 }
 
-/// The combing of a head of hair.
+/// Combing field of a head of hair: gives the direction of a hair by the position of its root.
 pub(super) struct Field {
     comb: Comb,
     /// Position of the parting's start, to the left.
@@ -125,7 +127,7 @@ impl Field {
         d.normalize_or(DVec3::NEG_Y) + stray(self.seed + 71, at, 60.0) * 0.25
     }
 
-    /// Share of gravity in a hair's direction `arc` metres from its root.
+    /// Returns the share of gravity in the direction of a hair, `arc` metres from its root.
     pub(super) fn gravity(&self, arc: f64) -> f64 {
         match self.comb {
             Comb::Parted => (0.06 + 0.9 * step(0.03, 0.13, arc)).min(1.0),

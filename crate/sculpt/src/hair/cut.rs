@@ -6,7 +6,8 @@ use serde::{Deserialize, Serialize};
 
 /// Height of the lips' middle on the common head, mm.
 pub(super) const LIPS_Y: f64 = -46.0;
-/// Half the breadth of the upper lip on the common head, mm.
+/// Half the breadth of the upper lip on the common head (the reference head of hair and beard
+/// layouts), mm.
 const LIP_HALF: f64 = 33.0;
 /// Upper edge of a beard that follows the jaw, by distance from the middle, on the common head, mm: the
 /// chin, the jaw, before the ear. Chosen by eye.
@@ -20,7 +21,7 @@ const JAW: [[f64; 2]; 7] = [
     [74.0, -16.0],
 ];
 
-/// Cut of a beard.
+/// Cut of a beard: the areas of the face on which it grows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum BeardCut {
@@ -39,7 +40,8 @@ pub enum BeardCut {
     Curtain,
 }
 
-/// 0 at `from` and beyond, 1 at `to` and beyond; the two may be in either order.
+/// Linear step: returns 0 at `from` and before, 1 at `to` and beyond; `from` may be greater than
+/// `to`.
 pub(super) fn slope(from: f64, to: f64, x: f64) -> f64 {
     ((x - from) / (to - from)).clamp(0.0, 1.0)
 }

@@ -2,7 +2,7 @@
 
 use raconteur_base::DVec3;
 
-/// A box of points in the frame that hair is described in.
+/// Regular box lattice of points in the frame of the hair, on which fields are sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lattice {
     pub(super) low: DVec3,
@@ -17,7 +17,7 @@ impl Lattice {
         self.size.iter().product()
     }
 
-    /// Number of the point at a cell.
+    /// Returns the linear index of the lattice point at the cell x, y, z.
     pub(super) fn number(&self, [x, y, z]: [usize; 3]) -> usize {
         (x * self.size[1] + y) * self.size[2] + z
     }
@@ -47,7 +47,7 @@ impl Lattice {
     }
 }
 
-/// One number at each point of a lattice.
+/// Scalar field sampled at the points of a lattice.
 #[derive(Clone, Debug)]
 pub(super) struct Grid {
     pub(super) lattice: Lattice,
@@ -79,7 +79,7 @@ impl Grid {
         )
     }
 
-    /// Unit direction in which the numbers grow.
+    /// Returns the unit gradient of the field at a position: the direction in which values grow.
     pub(super) fn slope(&self, p: DVec3) -> DVec3 {
         let h = self.lattice.pitch;
         let along = |d: DVec3| self.sample(p + d) - self.sample(p - d);
@@ -106,7 +106,7 @@ impl Grid {
         }
     }
 
-    /// The numbers blurred by three boxes that reach `reach` points to either side: nearly a
+    /// Returns the field blurred by three box filters of half width `reach` points: nearly a
     /// Gaussian of variance `reach (reach + 1)` in points.
     pub(super) fn blurred(&self, reach: usize) -> Self {
         let mut out = self.clone();
@@ -139,7 +139,8 @@ impl Grid {
     }
 }
 
-/// Mean over `reach` neighbours to either side; the ends go on as they are.
+/// Replaces each value of a line by the mean over `reach` neighbours to either side; end values
+/// extend beyond the ends.
 fn box_blur(line: &mut [f32], reach: usize) {
     let n = line.len();
     let before = line.to_vec();

@@ -5,7 +5,7 @@ use raconteur_base::{DVec3, ops};
 use super::comb::{Field, step, stray};
 use super::space::Space;
 
-/// Least height of hair over the skin, metres.
+/// Minimum height of hair over the skin, metres.
 pub(super) const CLEAR_M: f64 = 0.0012;
 /// Rate at which a hair turns to its preferred direction, 1/m.
 const TURN_PER_M: f64 = 40.0;
@@ -23,7 +23,7 @@ const BESIDE_NECK_M: [f64; 2] = [0.072, 0.110];
 /// Hair rooted behind this falls down the back, all other before the shoulders, metres.
 const BACK_Z_M: f64 = -0.070;
 
-/// Growth parameters of one hair.
+/// Growth parameters of one hair, from which its path is traced.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Growth {
     pub(super) root: DVec3,
@@ -112,7 +112,7 @@ fn along(path: &[DVec3], step: f64, arc: f64) -> DVec3 {
     path[k].lerp(path[k + 1], i - k as f64)
 }
 
-/// Unit direction of the path at point `i`.
+/// Returns the unit direction of the path at point `i`.
 pub(super) fn tangent(path: &[DVec3], i: usize) -> DVec3 {
     let (a, b) = (i.saturating_sub(1), (i + 1).min(path.len() - 1));
     (path[b] - path[a]).normalize_or(DVec3::NEG_Y)

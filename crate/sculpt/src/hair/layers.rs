@@ -1,6 +1,6 @@
 //! Card layers of each kind of hair, from the skin outward.
 
-/// Cards of one height over the scalp.
+/// Layer of hair cards at one height over the scalp, with their spacing and size.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Layer {
     /// Distance of the roots.

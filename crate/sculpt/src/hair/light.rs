@@ -30,7 +30,7 @@ const HEAD_DEPTH: f64 = 9e4;
 /// Optical depth beyond which no light passes.
 const DARK: f64 = 6.0;
 
-/// Occluders of the light: hair and head.
+/// Occluders of the light on hair: a density grid of the strands and the head.
 pub(super) struct Shade<'a> {
     space: &'a Space,
     density: Grid,

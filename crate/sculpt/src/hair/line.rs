@@ -84,7 +84,7 @@ const BARE_CROWN_M: f64 = 0.082;
 const RADIUS_M: f64 = 0.095;
 /// Backward tilt of the map's pole, radians.
 const TIP: f64 = 0.349;
-/// Half the side of the map, metres.
+/// Half the side of the square hairline raster on the flattened scalp, metres.
 pub(super) const HALF_M: f64 = 0.225;
 /// Side of the raster that stores distances.
 const SIDE: usize = 320;
@@ -99,7 +99,8 @@ pub(super) fn angles(p: DVec3) -> (f64, f64) {
     )
 }
 
-/// The scalp laid flat: lengths along a great circle from a pole at the crown, metres.
+/// Maps a position on the scalp to the plane: great-circle distances from a pole at the crown,
+/// metres.
 pub(super) fn flat(p: DVec3) -> DVec2 {
     let d = p.normalize_or(DVec3::Y);
     let (sine, cosine) = (ops::sin(TIP), ops::cos(TIP));
@@ -119,7 +120,7 @@ fn on_sphere([azimuth, elevation]: [f64; 2]) -> DVec3 {
     )
 }
 
-/// A person's hairline.
+/// Hairline of a person, stored as a signed-distance raster on the flattened scalp.
 pub(super) struct Line {
     /// Distance inside, metres, negative outside, on a raster of the flat scalp.
     raster: Vec<f32>,
@@ -181,7 +182,8 @@ impl Line {
         low + (high - low) * f.y
     }
 
-    /// Distance inside the line, which is uneven, metres.
+    /// Returns the distance of a position inside the hairline, metres; the line is made uneven with
+    /// noise.
     pub(super) fn distance(&self, p: DVec3) -> f64 {
         self.smooth_distance(p)
             + 0.0016 * space_noise(self.seed + 1, p * 160.0)
@@ -189,7 +191,7 @@ impl Line {
     }
 }
 
-/// A closed curve through corners, Catmull–Rom.
+/// Returns a closed Catmull–Rom curve through the corners.
 fn rounded(corners: &[DVec2]) -> Vec<DVec2> {
     let n = corners.len();
     let at = |i: usize, k: usize| corners[(i + k + n - 1) % n];
@@ -206,7 +208,8 @@ fn rounded(corners: &[DVec2]) -> Vec<DVec2> {
         .collect()
 }
 
-/// Distance of a point from a closed curve, positive inside: the curve turns once about it.
+/// Returns the distance of a point from a closed curve, positive inside. The winding number of the
+/// curve decides the sign.
 fn inside(curve: &[DVec2], p: DVec2) -> f64 {
     let (mut nearest, mut turn) = (f64::MAX, 0.0);
     for (i, &a) in curve.iter().enumerate() {

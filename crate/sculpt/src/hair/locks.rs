@@ -36,7 +36,7 @@ struct Hair<'a> {
     dice: HairRandom,
 }
 
-/// Generator of all hair of one head.
+/// Generator of all hair cards of one head from its combing field, style and roots.
 pub(super) struct Grower<'a> {
     pub(super) space: &'a Space,
     pub(super) field: &'a Field,
@@ -45,8 +45,9 @@ pub(super) struct Grower<'a> {
     pub(super) places: &'a [Root],
 }
 
-/// Roughly normal with standard deviation 1. Rounded once, unlike `noise::normal`, from which it may differ in the last bit:
-/// the hair of all figures was grown with it.
+/// Returns a roughly normal random number with standard deviation 1. Rounded once, unlike
+/// `noise::normal`, from which it may differ in the last bit: the hair of all figures was grown
+/// with it.
 pub(super) fn normal(seed: u64, id: u64, i: i64) -> f64 {
     (0..4)
         .map(|k| noise::unit(seed, id * 4 + k, i))
@@ -71,7 +72,7 @@ impl HairRandom {
 }
 
 impl Grower<'_> {
-    /// Every card, from the scalp outwards.
+    /// Grows all hair cards, from the scalp outwards.
     pub(super) fn cards(&self) -> Vec<Card> {
         let locks = self.locks();
         let mut out = Vec::new();

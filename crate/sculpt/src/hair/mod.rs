@@ -51,7 +51,7 @@ use crate::head::Head;
 use crate::part::MeshPart;
 use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
-/// Hair style: cut and combing.
+/// Hair style of a figure: cut and combing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum HairStyle {
@@ -69,11 +69,11 @@ pub enum HairStyle {
     Balding,
     /// Tight coils that extend a few centimetres from the head.
     Coily,
-    /// To the jaw with a side parting.
+    /// Hair to the jaw with a side parting.
     Bob,
-    /// To the collar bones, in waves, with a side parting.
+    /// Hair to the collar bones, in waves, with a side parting.
     Wavy,
-    /// To the chin in curls, with a side parting.
+    /// Hair to the chin in curls, with a side parting.
     Curly,
     /// Past the shoulders, straight, with a side parting.
     Long,
@@ -86,7 +86,7 @@ pub enum HairStyle {
 }
 
 impl HairStyle {
-    /// Every style with its name in parameter files.
+    /// Names of the styles in parameter files.
     pub const NAMES: [(Self, &'static str); 14] = [
         (Self::Bald, "bald"),
         (Self::Buzz, "buzz"),
@@ -105,10 +105,10 @@ impl HairStyle {
     ];
 }
 
-/// Hair and beard of a person.
+/// Parameters of a person's hair and beard: style, colour, length, volume.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HairParams {
-    /// Cut and combing.
+    /// Cut and combing of the hair.
     pub style: HairStyle,
     /// Colour of scalp hair and beard.
     pub colour: HairColour,
@@ -127,7 +127,7 @@ pub struct HairParams {
     pub recession: f64,
     /// Baldness of the crown, 0..1.
     pub thinning: f64,
-    /// A beard.
+    /// Beard; `None` for a shaved face.
     pub beard: Option<BeardParams>,
     /// Seed of all that is scattered.
     pub seed: u64,
@@ -151,7 +151,7 @@ impl Default for HairParams {
     }
 }
 
-/// Hair as it has grown.
+/// Grown hair of a head: hair cards, guide chains, and its effects on the skin.
 pub struct Grown {
     /// Cards of the scalp and the beard, in the frame of the head.
     pub pieces: Vec<PartWithNormals>,

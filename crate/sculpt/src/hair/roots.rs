@@ -14,7 +14,7 @@ const OUTSIDE_M: f64 = 0.012;
 /// Height over the head without ears above which a position counts as ear, metres.
 const ON_EAR_M: f64 = 0.0025;
 
-/// Possible root position of a hair.
+/// Candidate position for the root of a hair on the scalp.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Root {
     pub(super) position: DVec3,
@@ -23,7 +23,7 @@ pub(super) struct Root {
     pub(super) inside: f64,
 }
 
-/// Item with a position.
+/// Item with a position, which can be spread over the scalp with a minimum distance.
 pub(super) trait Place: Copy {
     fn position(&self) -> DVec3;
 }

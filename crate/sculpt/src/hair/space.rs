@@ -11,7 +11,7 @@ use super::grid::{Grid, Lattice};
 use crate::head::Head;
 use raconteur_base::surface::vertex_normals;
 
-/// From the eyes to the vertex on the common head, metres.
+/// Vertical distance from the eyes to the vertex (top of the skull) on the common head, metres.
 const EYE_TO_VERTEX_M: f64 = 0.107;
 /// Height of the origin above the eyes, metres.
 const ABOVE_EYES_M: f64 = 0.022;
@@ -33,21 +33,22 @@ const SAMPLE_M: f64 = 0.004;
 /// Height of the bumps that ears are to growing hair, metres.
 const EAR_BUMP_M: f64 = 0.0015;
 
-/// A point of a surface with its outward normal.
+/// Sampled point of a surface with its outward normal; hair keeps clear of these points.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
-    /// Position, metres.
+    /// Position of the sampled point, metres.
     pub position: DVec3,
-    /// Unit normal.
+    /// Outward unit normal of the surface at the point.
     pub normal: DVec3,
 }
 
-/// From the frame of the head to that of hair.
+/// Transform from the frame of the head to the frame of the hair, whose unit is a metre of the
+/// common head.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
     origin: DVec3,
     turn: DMat3,
-    /// This head's size over the common one's.
+    /// Size of this head relative to the common head.
     pub(super) scale: f64,
 }
 
@@ -88,23 +89,23 @@ impl Frame {
     }
 }
 
-/// A point of the skin where hair may grow.
+/// Skin point at which hair may grow, with its normal.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SkinPoint {
     pub(super) position: DVec3,
     pub(super) normal: DVec3,
 }
 
-/// Signed distances about a head in the frame of hair, metres.
+/// Signed-distance fields about a head, along which hair is grown; frame of the hair, metres.
 pub(super) struct Space {
     pub(super) frame: Frame,
-    /// From skin and clothes as they are.
+    /// Distance from the skin and the clothes.
     pub(super) whole: Grid,
-    /// As if there were no ears.
+    /// Distance from the head without its ears.
     earless: Grid,
     /// Distance field along which hair grows: ears are low bumps in it.
     growth: Grid,
-    /// Much blurred: its slope is the normal of the head as one smooth hull.
+    /// Heavily blurred distance field: its gradient is the normal of the head as one smooth hull.
     hull: Grid,
     /// The skin's vertices and triangles.
     pub(super) skin: Vec<SkinPoint>,
@@ -112,7 +113,8 @@ pub(super) struct Space {
 }
 
 impl Space {
-    /// About a head whose neighbourhood is clothed with `clothes`, in the frame of the head.
+    /// Samples the distances about a head and the `clothes` next to it, both in the frame of the
+    /// head.
     pub(super) fn new(head: &Head, clothes: &[Sample]) -> Self {
         let frame = Frame::from_head(head);
         let sheet = &head.sheet;
@@ -183,7 +185,7 @@ impl Space {
         self.growth.sample(p)
     }
 
-    /// Its outward normal.
+    /// Returns the outward normal of the distance field along which hair grows.
     pub(super) fn normal(&self, p: DVec3) -> DVec3 {
         self.growth.slope(p)
     }
@@ -193,7 +195,7 @@ impl Space {
         self.hull.slope(p)
     }
 
-    /// Height over the head without its ears, metres.
+    /// Returns the height over the head without its ears, metres.
     pub(super) fn height_without_ears(&self, p: DVec3) -> f64 {
         self.earless.sample(p)
     }

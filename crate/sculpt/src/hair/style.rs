@@ -5,14 +5,14 @@ use raconteur_base::DVec3;
 use super::HairStyle;
 use super::layers::{BUZZ, COILY, CURLED, FALLING, Layer, SHORT, TIED, TOUSLED};
 
-/// Combing pattern of hair.
+/// Combing pattern of a style: the preferred directions of the hair.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Comb {
     /// Away from a parting to both sides, and from the crown to all.
     Parted,
     /// One direction on top, another at the sides, a third behind.
     Combed {
-        /// On top; x is turned to the parting's side.
+        /// Direction of the hair on top; x points to the side of the parting.
         top: DVec3,
         side: DVec3,
         back: DVec3,
@@ -23,11 +23,11 @@ pub(super) enum Comb {
     Whorl,
     /// Towards a tie point.
     Tied(DVec3),
-    /// On end, in coils.
+    /// Hair on end, in coils.
     Coily,
 }
 
-/// Length rule of hair.
+/// Rule for the length of a hair by the position of its root.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Length {
     /// Cut at a height, with layers up to `layered` above it; longer by `front` at the sides of the
@@ -39,7 +39,7 @@ pub(super) enum Length {
     ToTie,
 }
 
-/// A style.
+/// Definition of a hair style: combing, length, waves and layers of cards.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Style {
     pub(super) comb: Comb,

@@ -36,7 +36,7 @@ fn plait_thickness(t: f64) -> f64 {
 }
 
 impl Grower<'_> {
-    /// The middle of one of a plait's strands, `s` metres down.
+    /// Returns the middle of a strand of a plait, `s` metres below the start.
     fn plait_strand(&self, middle: &[DVec3], strand: i64, s: f64) -> DVec3 {
         let length = (middle.len() - 2) as f64 * STEP_M;
         let turn = TAU * (s / PLAIT_TURN_M + strand as f64 / 3.0);
@@ -45,7 +45,7 @@ impl Grower<'_> {
         at + DVec3::new(ops::sin(turn), 0.0, 0.55 * ops::sin(2.0 * turn)) * thick
     }
 
-    /// The middle line of a plait down the back.
+    /// Returns the middle line of a plait down the back.
     fn plait_middle(&self) -> Vec<DVec3> {
         let length = PLAIT_M * self.params.length;
         let mut at = NAPE + DVec3::new(0.0, 0.012, -0.006);
@@ -60,7 +60,7 @@ impl Grower<'_> {
         path
     }
 
-    /// A plait of three strands from the nape.
+    /// Builds a plait of three strands that starts at the nape.
     pub(super) fn plait(&self) -> Vec<Card> {
         let middle = self.plait_middle();
         let whole = (middle.len() - 2) as f64 * STEP_M;
@@ -122,7 +122,7 @@ impl Grower<'_> {
         out
     }
 
-    /// A tail that falls from the tie.
+    /// Builds a tail of hair that falls from the tie.
     pub(super) fn tail(&self) -> Vec<Card> {
         let seed = self.params.seed + 300;
         (0..TAIL_CARDS)
@@ -177,7 +177,7 @@ impl Grower<'_> {
             .collect()
     }
 
-    /// A knot: hair wound in a ring about the tie.
+    /// Builds a knot: hair wound in a ring about the tie.
     pub(super) fn knot(&self) -> Vec<Card> {
         let seed = self.params.seed + 400;
         let [ring, strand] = KNOT_M.map(|r| r * self.params.volume);

@@ -36,8 +36,8 @@ pub(super) const BIND_ANGLES: HandAngles = {
     }
 };
 
-/// A smooth curve through keys (cubic Hermite, slopes by central differences), constant
-/// beyond its ends.
+/// Smooth curve through keys (cubic Hermite, slopes by central differences), constant beyond its
+/// ends; gives a cross-section dimension by position.
 pub(super) struct Curve {
     keys: Vec<(f64, f64)>,
     slopes: Vec<f64>,
@@ -86,7 +86,7 @@ impl Curve {
     }
 }
 
-/// Half extents of a finger's section.
+/// Half extents of a finger's cross-section: sideways, to the back and to the palm; mm.
 #[derive(Clone, Copy)]
 pub(super) struct Section {
     pub(super) half_width: f64,
@@ -95,9 +95,8 @@ pub(super) struct Section {
 }
 
 /// Effect of sex and age on a hand, in addition to its length and breadth. Directions are common
-/// anatomical knowledge (men's fingers are thick relative to the hand and their tendons are
-/// prominent; a child's taper without knuckles; with age fat leaves the back of the hand and the
-/// joints thicken); the amounts are designed.
+/// anatomical knowledge (men's fingers are thick and their tendons prominent; children's taper;
+/// with age fat leaves the back and joints thicken); amounts are designed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HandBuild {
     /// Thickness of the fingers against the palm's breadth, 1 for the mean adult.
@@ -122,7 +121,7 @@ pub(super) struct HandBuild {
 }
 
 impl HandBuild {
-    /// For a sex (0 male to 1 female) and an age in years.
+    /// Returns the build of a hand for a sex (0 male to 1 female) and an age in years.
     pub(super) fn from_sex_and_age(sex: f64, age_years: f64) -> Self {
         let child = 1.0 - curve::smooth((age_years - 8.0) / 10.0);
         let old = curve::smooth((age_years - 40.0) / 38.0);
@@ -162,7 +161,7 @@ impl HandBuild {
     }
 }
 
-/// One finger in the bind pose.
+/// One finger in the bind pose: joints, local frame and cross-sections.
 pub(super) struct Finger {
     /// First joint: the saddle joint of the thumb, the knuckle of the others.
     pub(super) origin: DVec3,
@@ -178,12 +177,12 @@ pub(super) struct Finger {
 }
 
 impl Finger {
-    /// Lateral, along and palmar coordinates of a point.
+    /// Converts a point to the coordinates of the finger: lateral, along, palmar.
     pub(super) fn local(&self, p: DVec3) -> DVec3 {
         self.frame.transpose() * (p - self.origin)
     }
 
-    /// A point from lateral, along and palmar coordinates.
+    /// Converts lateral, along and palmar coordinates of the finger to a point.
     pub(super) fn point(&self, local: DVec3) -> DVec3 {
         self.origin + self.frame * local
     }
@@ -194,7 +193,8 @@ impl Finger {
         [0.0, a, a + b, a + b + c]
     }
 
-    /// Joint coordinate of a distance: 0, 1, 2 at the joints, 3 at the tip, linear between.
+    /// Converts a distance along the finger to a joint coordinate: 0, 1, 2 at the joints, 3 at the
+    /// tip, linear between.
     pub(super) fn joint_coordinate(&self, along: f64) -> f64 {
         let joints = self.joints();
         for k in 0..3 {
@@ -205,7 +205,7 @@ impl Finger {
         3.0
     }
 
-    /// Distance along the finger of a joint coordinate.
+    /// Converts a joint coordinate to the distance along the finger, mm.
     pub(super) fn along(&self, q: f64) -> f64 {
         let k = (q.floor().max(0.0) as usize).min(2);
         self.joints()[k] + (q - k as f64) * self.lengths[k]
@@ -221,7 +221,7 @@ impl Finger {
     }
 }
 
-/// Everything measured.
+/// Joints, bones and cross-sections of the mean adult hand; right hand, mm.
 pub(super) struct Anatomy {
     /// Sex and age.
     pub(super) look: HandBuild,
@@ -265,13 +265,14 @@ const FOREARM_WIDTH: [f64; 8] = [37.0, 33.5, 30.5, 29.3, 29.0, 28.8, 28.0, 26.0]
 const FOREARM_DORSAL: [f64; 8] = [25.0, 22.0, 19.6, 18.6, 17.4, 16.0, 14.5, 13.0];
 const FOREARM_PALMAR: [f64; 8] = [25.0, 22.0, 19.6, 18.2, 17.6, 17.0, 15.5, 13.0];
 
-/// Direction of the left hand's zero pose (x distal, y dorsal, z radial) in this frame.
+/// Converts a direction from the left hand's zero pose (x distal, y dorsal, z radial) to the frame
+/// of the anatomy.
 fn from_left_zero(v: DVec3) -> DVec3 {
     DVec3::new(v.z, v.x, -v.y)
 }
 
 impl Anatomy {
-    /// A hand of the mean adult's length and breadth.
+    /// Creates the anatomy of a hand of mean adult length and breadth.
     pub(super) fn new(look: HandBuild) -> Self {
         let world = BIND_ANGLES.left_world();
         let finger = |i: usize, origin: [f64; 3], lengths: [f64; 3], girth: f64| {

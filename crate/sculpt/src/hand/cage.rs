@@ -11,7 +11,8 @@ use super::field::Field;
 use super::nail::Nail;
 use crate::subdivide::edge_faces;
 
-/// The cage; see [`super`] for its frame.
+/// Cage of the hand: a coarse quad control mesh that is subdivided and projected onto the hand's
+/// solids. [`super`] documents the frame.
 pub(super) struct Cage {
     pub(super) positions: Vec<DVec3>,
     pub(super) faces: Vec<Vec<u32>>,
@@ -93,7 +94,7 @@ const THUMB_LOOP: [(usize, usize, [f64; 3]); 9] = [
     (3, RADIAL_SIDE, [34.0, 70.0, 4.0]),
 ];
 
-/// The dorsal column above or below a column, 0–8.
+/// Returns the dorsal column above or below a column of the sleeve, 0–8.
 fn dorsal_column(column: usize) -> usize {
     match column {
         ULNAR_SIDE => ULNAR_EDGE,
@@ -103,7 +104,7 @@ fn dorsal_column(column: usize) -> usize {
     }
 }
 
-/// −1 on the back, 1 on the palm, 0 on the sides.
+/// Returns the side of a column of the sleeve: −1 on the back, 1 on the palm, 0 at the edges.
 fn face_side(column: usize) -> f64 {
     match column {
         ULNAR_SIDE | RADIAL_SIDE => 0.0,
@@ -228,7 +229,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A vertex of the sleeve outside the thumb's hole.
+    /// Returns the index of a sleeve vertex that is not in the thumb's hole.
     fn vertex(&self, row: usize, column: usize) -> u32 {
         // The only missing vertex is the middle of the hole, which no caller names.
         self.sleeve[row][column].unwrap_or(0)
@@ -250,7 +251,7 @@ impl Builder<'_> {
         ))
     }
 
-    /// The rings where the tubes leave the palm.
+    /// Adds the rings at which the tubes of the fingers leave the palm.
     fn first_rings(&mut self) -> [[u32; 8]; FINGER_COUNT] {
         let mut rings = [[0; 8]; FINGER_COUNT];
         for f in 1..FINGER_COUNT {

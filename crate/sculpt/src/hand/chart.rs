@@ -32,7 +32,7 @@ const FOREARM_SHARE: f64 = 0.25;
 /// Start of a finger's cap: one radius before the tip, as a joint coordinate.
 const CAP_FROM: f64 = 2.58;
 
-/// The skin with vertices doubled along the cut.
+/// Texture chart of the hand: the skin with its vertices doubled along the cut.
 pub(super) struct Chart {
     pub(super) faces: Vec<Vec<u32>>,
     /// Skin vertex of each chart vertex; the skin's own vertices come first.
@@ -67,7 +67,7 @@ fn palmar(anatomy: &Anatomy, skin: &Skin) -> Vec<f64> {
     side
 }
 
-/// The piece of each face; every piece is connected.
+/// Assigns a chart piece to each face; every piece is connected.
 fn pieces(anatomy: &Anatomy, skin: &Skin) -> Vec<Piece> {
     let side = palmar(anatomy, skin);
     let mut piece: Vec<Piece> = skin
@@ -275,7 +275,7 @@ fn unroll(
         .collect()
 }
 
-/// Back or palm of the hand, fingers up.
+/// Unwraps the back or the palm of the hand to the plane, fingers up.
 fn unwrap(skin: &Skin, source: &[u32], faces: &[&Vec<u32>], side: usize) -> Vec<(u32, DVec2)> {
     let used = used(faces);
     let slot = |v: u32| used.binary_search(&v).unwrap_or(0) as u32;

@@ -37,7 +37,8 @@ pub(super) fn openness(field: &Field<'_>, skin: &Skin) -> Vec<f64> {
         .collect()
 }
 
-/// Linear RGB of a nail plate across (−1..1) and along (0 root, 1 free edge).
+/// Returns the linear RGB of a nail plate at a position across (−1..1) and along (0 root, 1 free
+/// edge).
 pub(super) fn nail_color(base: DVec3, f: usize, across: f64, along: f64) -> DVec3 {
     let u = across.abs();
     // The bed shows through: a little lighter and pinker than the skin.

@@ -18,7 +18,7 @@ struct Sample {
     q: f64,
     centre: DVec3,
     along: DVec3,
-    /// Half axes towards the back of the finger and sideways.
+    /// Half axes of the contact ellipse towards the back of the finger and sideways.
     dorsal: DVec3,
     lateral: DVec3,
 }
@@ -147,7 +147,8 @@ fn worst(posed: &[Vec<Sample>; FINGER_COUNT]) -> (f64, String) {
     worst
 }
 
-/// Gap between a segment of one finger and a segment of another.
+/// Returns the gap between a segment of one finger and a segment of another in a pose; negative
+/// where they overlap.
 fn gap(posed: &[Vec<Sample>; FINGER_COUNT], a: (usize, usize), b: (usize, usize)) -> f64 {
     let segment = |(f, k): (usize, usize)| posed[f].iter().filter(move |s| s.q as usize == k);
     segment(a)

@@ -2,7 +2,7 @@
 
 use raconteur_base::{DVec3, curve};
 
-/// A line in the palm or at the wrist.
+/// Crease line in the palm or at the wrist, which is carved into the skin.
 pub(super) struct Crease {
     /// Points in the palm's plane (x, y), mm.
     pub(super) points: &'static [(f64, f64)],

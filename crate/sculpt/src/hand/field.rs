@@ -6,7 +6,8 @@ use raconteur_base::{DMat3, DVec3, ops};
 
 use super::anatomy::{Anatomy, Finger};
 
-/// Union that rounds the seam over a width `k` (quadratic polynomial smooth minimum).
+/// Smooth union of two distances that rounds the seam over a width `k` (quadratic polynomial smooth
+/// minimum).
 fn union(a: f64, b: f64, k: f64) -> f64 {
     let h = (k - (a - b).abs()).max(0.0) / k;
     a.min(b) - h * h * k / 4.0
@@ -31,7 +32,7 @@ struct Ellipsoid {
 }
 
 impl Ellipsoid {
-    /// `along` is the first axis, `up` the third, made square to it.
+    /// Creates an ellipsoid; `along` is the first axis, `up` the third, made perpendicular to it.
     fn new(centre: DVec3, along: DVec3, up: DVec3, radii: DVec3) -> Self {
         let d = along.try_normalize().unwrap_or(DVec3::Y);
         let u = (up - d * up.dot(d)).try_normalize().unwrap_or(DVec3::Z);
@@ -85,14 +86,15 @@ impl Web {
     }
 }
 
-/// |x|^1.25 and |x|^2.25 by square roots, which are exact and quick.
+/// Returns |x|^1.25 and |x|^2.25, computed with square roots, which are exact and fast.
 fn fifth_quarters(x: f64) -> (f64, f64) {
     let x = x.abs();
     let low = x * x.sqrt().sqrt();
     (low, low * x)
 }
 
-/// A tube of superelliptic sections (exponent 2.25) with rounded ends.
+/// Returns the distance from a tube with superelliptic cross-sections (exponent 2.25) and rounded
+/// ends.
 fn tube(finger: &Finger, cap_from: f64, p: DVec3) -> f64 {
     let local = finger.local(p);
     let (x, along, z) = (local.x, local.y, local.z);
@@ -120,7 +122,8 @@ fn tube(finger: &Finger, cap_from: f64, p: DVec3) -> f64 {
     (k - 1.0) * fifth_quarters(k).0 / (gx * gx + gz * gz + gt * gt + 1e-12).sqrt()
 }
 
-/// The solids of the palm that do not depend on the point.
+/// Distance field of the hand, with the solids of the palm that are the same for all points
+/// precomputed.
 pub(super) struct Field<'a> {
     anatomy: &'a Anatomy,
     pads: [Ellipsoid; 3],
@@ -205,7 +208,8 @@ impl<'a> Field<'a> {
         tube(finger, if f == 0 { finger.along(0.15) } else { -6.0 }, p)
     }
 
-    /// Signed distance, approximate away from the surface.
+    /// Returns the signed distance from the surface of the hand, mm; approximate away from the
+    /// surface.
     pub(super) fn distance(&self, p: DVec3) -> f64 {
         let v = DVec3::new;
         let fingers = &self.anatomy.fingers;
@@ -288,7 +292,8 @@ impl<'a> Field<'a> {
         DVec3::new(along(DVec3::X), along(DVec3::Y), along(DVec3::Z))
     }
 
-    /// Newton steps towards the surface, each at most 4 mm (`damping` 1 is the full step).
+    /// Moves a point to the surface in Newton steps, each at most 4 mm (`damping` 1 is the full
+    /// step).
     pub(super) fn project(&self, mut p: DVec3, steps: usize, damping: f64) -> DVec3 {
         for _ in 0..steps {
             let d = self.distance(p);

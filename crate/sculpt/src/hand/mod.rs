@@ -47,15 +47,15 @@ use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 use raconteur_body::hand_shape::HandAngles;
 use raconteur_body::skeleton::{Bone, zero_frames};
 
-/// The angles of the hand's bind pose.
+/// Joint angles of the hand's bind pose.
 pub const BIND_ANGLES: HandAngles = anatomy::BIND_ANGLES;
 
-/// A hand against the mean of its owner's sex, age and stature; 1 is as long and as broad.
+/// Size of a hand relative to the mean for its owner's sex, age and stature; 1 is the mean.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HandProportions {
-    /// Length.
+    /// Length relative to the mean.
     pub length: f64,
-    /// Breadth.
+    /// Breadth relative to the mean.
     pub breadth: f64,
 }
 
@@ -68,18 +68,19 @@ impl Default for HandProportions {
     }
 }
 
-/// Measures of a hand.
+/// Measures and appearance of a hand, from which [`build`] makes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HandParams {
     /// 0 male to 1 female.
     pub sex: f64,
     /// Years, 8 to 80.
     pub age_years: f64,
-    /// From the wrist's crease to the tip of the middle finger, metres.
+    /// Length from the wrist crease to the tip of the middle finger, metres.
     pub length_m: f64,
     /// Across the knuckles without the thumb, metres.
     pub breadth_m: f64,
-    /// From elbow to wrist, metres: sets how the rim follows the wrist's twist.
+    /// Distance from elbow to wrist, metres; it determines how the rim of the hand's skin follows
+    /// the twist of the wrist.
     pub forearm_length_m: f64,
     /// Linear RGB of the skin, which shines through the nails.
     pub skin_color: [f64; 3],
@@ -90,13 +91,16 @@ pub struct HandParams {
 /// infants, children, and youths to age 18 for product safety design", UM-HSRI-77-17; not
 /// read again).
 const CHILD: [f64; 3] = [0.1105, 0.0489, 0.147];
-/// The same of ANSUR II's women: hand 181.1 × 78.2 mm, radiale to stylion 239 mm, at 1.63 m.
+/// Hand length, hand breadth and forearm length of women relative to stature, from ANSUR II: hand
+/// 181.1 × 78.2 mm, radiale to stylion 239 mm, at 1.63 m.
 const WOMAN: [f64; 3] = [0.1811 / 1.63, 0.0782 / 1.63, 0.239 / 1.63];
-/// The same of ANSUR II's men: hand 193.3 × 88.3 mm, radiale to stylion 268 mm, at 1.756 m.
+/// Hand length, hand breadth and forearm length of men relative to stature, from ANSUR II: hand
+/// 193.3 × 88.3 mm, radiale to stylion 268 mm, at 1.756 m.
 const MAN: [f64; 3] = [0.1933 / 1.756, 0.0883 / 1.756, 0.268 / 1.756];
 
 impl HandParams {
-    /// A person's hand.
+    /// Returns the measures of a person's hand from sex, age, stature and the proportions of the
+    /// hand.
     #[must_use]
     pub fn from_person(
         person: &Person,
@@ -119,7 +123,7 @@ impl HandParams {
     }
 }
 
-/// The mean hand of a sex, an age in years and a stature in metres.
+/// Returns the measures of the mean hand for a sex, an age in years and a stature in metres.
 #[cfg(test)]
 pub(super) fn mean_hand(
     sex: f64,
@@ -136,7 +140,8 @@ pub(super) fn mean_hand(
     HandParams::from_person(&person, &HandProportions::default(), skin_color)
 }
 
-/// A hand in the hand frame (see the [module](self)).
+/// Built hand, ready for rigging: skin, nails and joints in the hand frame (see the
+/// [module](self)).
 #[derive(Clone, Debug)]
 pub struct Hand {
     /// Skin first, then nails.
@@ -155,13 +160,13 @@ pub struct Hand {
 }
 
 impl Hand {
-    /// The skin, which is the first of its parts.
+    /// Returns the skin, the first of the parts.
     pub fn skin(&self) -> &MeshPart {
         &self.parts[0]
     }
 }
 
-/// From the frame of [`anatomy`] (right hand: radial, distal, palmar; mm) to the hand
+/// Transform from the frame of [`anatomy`] (right hand: radial, distal, palmar; mm) to the hand
 /// frame of one side, with the scales of breadth and length.
 struct Placement {
     side: Side,
@@ -187,7 +192,8 @@ impl Placement {
         )
     }
 
-    /// The left hand is a mirror image, which turns its faces round.
+    /// Returns the faces with the winding of one side: the left hand is a mirror image, so its
+    /// faces are reversed.
     fn faces(&self, faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
         let turned = |f: &Vec<u32>| match self.side {
             Side::Right => f.clone(),
@@ -197,13 +203,13 @@ impl Placement {
     }
 }
 
-/// From the wrist joint back to the crease that hand length is measured from, mm.
+/// Distance from the wrist joint back to the crease from which hand length is measured, mm.
 const CREASE_MM: f64 = 8.0;
 
 /// Breadth is measured from here to the webs, beyond the web of the thumb, mm.
 const KNUCKLES_FROM_MM: f64 = 72.0;
 
-/// Length and breadth of the unscaled skin, mm.
+/// Measures length and breadth of the unscaled skin, mm.
 fn measure(skin: &Skin) -> (f64, f64) {
     let tip = skin
         .positions
@@ -222,7 +228,7 @@ fn measure(skin: &Skin) -> (f64, f64) {
     (tip + CREASE_MM, radial - ulnar)
 }
 
-/// Builds one hand.
+/// Builds the skin and the nails of one hand.
 #[must_use]
 pub fn build(params: &HandParams, side: Side) -> Hand {
     let anatomy = Anatomy::new(HandBuild::from_sex_and_age(params.sex, params.age_years));
@@ -305,7 +311,7 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
     }
 }
 
-/// The five plates as one part.
+/// Builds the five nail plates as one part.
 fn nails(anatomy: &Anatomy, place: &Placement, base: DVec3, letter: &str) -> MeshPart {
     let mut vertices = Vec::new();
     let mut faces = Vec::new();

@@ -5,19 +5,19 @@ use raconteur_base::{DVec3, curve, ops};
 
 use super::anatomy::Finger;
 
-/// Position of a nail on its finger.
+/// Position and width of a nail on its finger.
 #[derive(Clone, Copy)]
 pub(super) struct Nail {
     /// Joint coordinate of the root.
     pub(super) root: f64,
     /// Joint coordinate where plate and skin part.
     pub(super) end: f64,
-    /// Half width of the plate as a fraction of the finger's.
+    /// Half width of the plate as a fraction of the finger's half width.
     pub(super) width: f64,
 }
 
 impl Nail {
-    /// The nail of a finger, thumb 0 to little finger 4.
+    /// Returns the nail of a finger, thumb 0 to little finger 4.
     pub(super) fn for_finger(f: usize) -> Self {
         let (root, end, width) = match f {
             0 => (2.37, 2.86, 0.82),
@@ -27,7 +27,7 @@ impl Nail {
         Self { root, end, width }
     }
 
-    /// Signed distance to the outline of the nail, negative on the plate, mm; and the
+    /// Returns the signed distance to the outline of the nail, mm, negative on the plate; and the
     /// position along it, −1 at the root to 1 at the end.
     pub(super) fn outline(self, finger: &Finger, local: DVec3) -> (f64, f64) {
         let (root, end) = (finger.along(self.root), finger.along(self.end));
@@ -43,7 +43,7 @@ impl Nail {
         ((k - 1.0) * width.min(half), v)
     }
 
-    /// The plate's surface over a point of the finger: palmar coordinate (negative), half
+    /// Returns the plate's surface over a point of the finger: palmar coordinate (negative), half
     /// width there, and position along the plate, 0 at the buried root to 1 at the free edge.
     ///
     /// The plate follows the finger's section, its sides tucked in, and runs straight on
@@ -68,7 +68,7 @@ impl Nail {
     }
 }
 
-/// A nail plate in the bind pose.
+/// Mesh of a nail plate in the bind pose.
 pub(super) struct Plate {
     pub(super) positions: Vec<DVec3>,
     pub(super) faces: Vec<Vec<u32>>,

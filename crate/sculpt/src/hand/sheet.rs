@@ -8,14 +8,14 @@ use super::crease::CREASES;
 use super::nail::Nail;
 use super::surface::{Skin, bell};
 
-/// The hand's skin as the baking needs it. Both hands share it as mirror images.
+/// Skin of the hand as input of the texture baking. Both hands share it as mirror images.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct HandSheet {
     /// Texture coordinates of each vertex in the atlas, 0..1.
     pub(crate) uv: Vec<[f64; 2]>,
     /// Triangles.
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// Right hand in the frame of its anatomy (radial, distal, palmar), mm.
+    /// Vertex positions of the right hand, frame of its anatomy (radial, distal, palmar), mm.
     pub(crate) at: Vec<DVec3>,
     /// Unit normals.
     pub(crate) normals: Vec<DVec3>,
@@ -29,27 +29,27 @@ pub(crate) struct HandSheet {
     pub(crate) veins: Vec<HandLine>,
 }
 
-/// A line on the hand.
+/// Line on the skin of the hand, for example a crease or a vein, which the texture baker paints.
 #[derive(Clone, Debug)]
 pub(crate) struct HandLine {
     /// Points on the surface, mm.
     pub(crate) through: Vec<DVec3>,
     /// Depth or strength.
     pub(crate) strength: f64,
-    /// Half width, mm.
+    /// Half width of the line, mm.
     pub(crate) width: f64,
     /// Share of its length lost to gaps.
     pub(crate) broken: f64,
 }
 
-/// Shares of a vertex, 0..1.
+/// Membership of a vertex in the regions of the hand, each 0..1.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct HandRegion {
     /// Palm and inner side of the fingers.
     pub(crate) palm: f64,
     /// Fingertip, inner side.
     pub(crate) tip: f64,
-    /// Over a joint on the back.
+    /// Membership in the skin over a joint on the back.
     pub(crate) knuckle: f64,
     /// Around a nail.
     pub(crate) nail: f64,
@@ -248,7 +248,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// The crossing lines of the back, with the strength of old age.
+    /// Adds the crossing fine lines on the back of the hand, with the strength of old age.
     fn slack(&mut self, anatomy: &Anatomy) {
         for _ in 0..170 {
             let (x, y) = (self.between(-36.0, 30.0), self.between(-6.0, 84.0));
@@ -281,7 +281,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// The dorsal network: a vein between each two knuckles, arches that join them, and the
+    /// Adds the dorsal network: a vein between each two knuckles, arches that join them, and the
     /// cephalic and basilic stems at the wrist. Strength 0..1.
     fn veins(&mut self, anatomy: &Anatomy) {
         let mut stems = Vec::new();

@@ -10,14 +10,14 @@ use super::{HandParams, Placement, surface};
 use crate::part::JointRef;
 use crate::solid::Solid;
 
-/// One bone in the hand frame (see [`super`]), metres.
+/// One bone of the hand as a closed surface, hand frame (see [`super`]), metres.
 #[derive(Clone, Debug)]
 pub struct HandBone {
-    /// For example `l_index_proximal`.
+    /// Name of the bone, for example `l_index_proximal`.
     pub name: String,
     /// Joint to which it is rigidly attached.
     pub joint: JointRef,
-    /// Its surface.
+    /// Surface of the bone.
     pub solid: Solid,
 }
 
@@ -35,8 +35,8 @@ const CARPALS: [(&str, [f64; 3], [f64; 3]); 8] = [
 
 const FINGERS: [&str; FINGER_COUNT] = ["thumb", "index", "middle", "ring", "pinky"];
 
-/// Half widths of a long bone of the hand over its length, for a bone of half width 1 at its
-/// head: share of the length, width, height, and rise of the shaft's arch to the back.
+/// Profile of a long bone of the hand, for a bone of half width 1 at its head: share of the length,
+/// half width, half height, and rise of the shaft's arch towards the back.
 const PROFILE: [(f64, f64, f64, f64); 6] = [
     (0.02, 1.08, 1.0, 0.0),
     (0.16, 0.98, 0.88, 0.05),
@@ -46,7 +46,7 @@ const PROFILE: [(f64, f64, f64, f64); 6] = [
     (0.98, 0.90, 0.92, 0.0),
 ];
 
-/// A long bone between two points; `half` is the half width and height at its head.
+/// Builds a long bone between two points; `half` is the half width and height at its head.
 fn long_bone(from: DVec3, to: DVec3, dorsal: DVec3, half: (f64, f64), gap: f64) -> Solid {
     let along = (to - from).try_normalize().unwrap_or(DVec3::Y);
     let (from, to) = (from + along * gap, to - along * gap);
@@ -62,8 +62,8 @@ fn long_bone(from: DVec3, to: DVec3, dorsal: DVec3, half: (f64, f64), gap: f64) 
     Solid::tube(&sections, 8)
 }
 
-/// The phalanges of a finger, mm; `tip_mm` is the soft tissue beyond the last bone
-/// (Buryanov and Kotiuk 2010, table I: 5.67 mm thumb, 3.7 to 4.0 mm fingers).
+/// Builds phalanx `k` of a finger, mm; `tip_mm` is the soft tissue beyond the last bone (Buryanov
+/// and Kotiuk 2010, table I: 5.67 mm thumb, 3.7 to 4.0 mm fingers).
 fn phalanx(finger: &Finger, k: usize, tip_mm: f64) -> Solid {
     let joints = finger.joints();
     let (from, mut to) = (joints[k], joints[k + 1]);
@@ -90,7 +90,7 @@ fn phalanx(finger: &Finger, k: usize, tip_mm: f64) -> Solid {
     )
 }
 
-/// The 27 bones of a hand.
+/// Builds the 27 bones of a hand.
 #[must_use]
 pub fn bones(params: &HandParams, side: Side) -> Vec<HandBone> {
     let anatomy = Anatomy::new(HandBuild::from_sex_and_age(params.sex, params.age_years));

@@ -9,7 +9,7 @@ use super::nail::Nail;
 use crate::subdivide::{edge_faces, subdivide};
 use raconteur_base::surface::vertex_normals;
 
-/// Skin of the mean adult hand; frame and units of [`super::anatomy`].
+/// Skin of the mean adult hand as a refined mesh; frame and units of [`super::anatomy`].
 pub(super) struct Skin {
     pub(super) positions: Vec<DVec3>,
     pub(super) normals: Vec<DVec3>,
@@ -21,12 +21,12 @@ pub(super) struct Skin {
     pub(super) rim: Vec<u32>,
 }
 
-/// exp(−x²).
+/// Returns the bell function exp(−x²).
 pub(super) fn bell(x: f64) -> f64 {
     ops::exp(-x * x)
 }
 
-/// The largest share of any of the four fingers.
+/// Returns the largest ownership share of the four fingers; the thumb is excluded.
 pub(super) fn finger_share(ownership: &[f64; FINGER_COUNT]) -> f64 {
     ownership[1..].iter().copied().fold(0.0, f64::max)
 }
@@ -35,7 +35,7 @@ fn any_share(ownership: &[f64; FINGER_COUNT]) -> f64 {
     ownership.iter().copied().fold(0.0, f64::max)
 }
 
-/// Mean of a vertex's neighbours.
+/// Returns the mean of the values at the neighbours of a vertex.
 pub(super) fn mean_around<T>(values: &[T], around: &[u32]) -> T
 where
     T: Copy + core::iter::Sum + core::ops::Mul<f64, Output = T>,

@@ -12,16 +12,16 @@ use crate::part::JointRef;
 use raconteur_body::hand_shape::finger_bones;
 use raconteur_body::skeleton::{Bone, Drive};
 
-/// Joints that a hand's vertices can follow, on either side.
+/// Joint that a hand vertex can follow, independent of the side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Influence {
     /// First or second third of the wrist's twist, 1 or 2.
     ForearmTwist(u8),
-    /// Half the wrist's rotation.
+    /// Joint with half the rotation of the wrist.
     HalfWrist,
     /// The wrist.
     Hand,
-    /// Half the rotation of a finger's joint, counted 0 to 2.
+    /// Joint with half the rotation of a finger's joint: finger and joint, counted 0 to 2.
     Half(usize, usize),
     /// A finger's bone.
     Finger(usize, usize),
@@ -41,7 +41,7 @@ fn bone(f: usize, k: usize) -> usize {
     4 + 3 * FINGER_COUNT + 3 * f + k
 }
 
-/// A finger's bone, thumb 0 to little finger 4, counted from the hand.
+/// Returns the bone of a finger, thumb 0 to little finger 4; `k` counts from the hand.
 pub(super) fn finger_bone(side: Side, f: usize, k: usize) -> Bone {
     // `hand_shape` counts the index first and the thumb last.
     finger_bones(side)[3 * ((f + FINGER_COUNT - 1) % FINGER_COUNT) + k]
@@ -62,7 +62,7 @@ impl Influence {
         }
     }
 
-    /// The joint of one side.
+    /// Returns the joint of this influence on a side.
     pub(super) fn joint(self, side: Side) -> JointRef {
         let wrist = match side {
             Side::Left => Bone::LWrist,
@@ -78,7 +78,8 @@ impl Influence {
     }
 }
 
-/// 0 before a joint and 1 after it, over `before` + `after` millimetres.
+/// Returns the smooth share 0 before a joint to 1 after it; the transition spans `before` + `after`
+/// millimetres.
 fn passed(along: f64, joint: f64, before: f64, after: f64) -> f64 {
     curve::smooth((along - joint + before) / (before + after))
 }
@@ -246,7 +247,7 @@ pub(super) fn weights(
     rows.iter().map(strongest).collect()
 }
 
-/// The four largest weights, made to sum to 1.
+/// Returns the four largest weights of a row, normalised to sum to 1.
 fn strongest(row: &[f64; COUNT]) -> Vec<(Influence, f64)> {
     let mut order: Vec<usize> = (0..COUNT).filter(|&i| row[i] > 0.004).collect();
     order.sort_by(|&a, &b| row[b].total_cmp(&row[a]).then(a.cmp(&b)));

@@ -11,8 +11,8 @@ use super::{HeadParams, Shape, named};
 use crate::part::PartVertex;
 use crate::person::Person;
 
-/// The skin of a head without anything else, in a fraction of the time: the same vertices as those of
-/// [`build`](super::build).
+/// Skin of a head without anything else, built in a fraction of the time; it has the same vertices
+/// as the skin of [`build`](super::build).
 #[derive(Clone, Debug)]
 pub struct BareSkin {
     /// Vertex positions; metres, frame of the head.
@@ -21,13 +21,14 @@ pub struct BareSkin {
     pub faces: Vec<Vec<u32>>,
     /// Named points: name and vertex.
     pub landmarks: Vec<(String, u32)>,
-    /// Segments.
+    /// Segments of the head's skin, which the face space models separately.
     pub segments: Vec<HeadSegment>,
     /// Inner parts of the head.
     pub organs: Organs,
 }
 
-/// Inner parts of a head that move independently; metres, frame of the head.
+/// Positions of the inner parts of a head that move independently: eyeballs, lids and chin; metres,
+/// frame of the head.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Organs {
     /// Centres of the left and the right eyeball.
@@ -39,7 +40,7 @@ pub struct Organs {
 }
 
 impl Organs {
-    /// All numbers one after another.
+    /// Returns all values in one list: eye centres, lid angles, chin.
     #[must_use]
     pub fn numbers(&self) -> Vec<f64> {
         let all = self.eye_centres.iter().flat_map(DVec3::to_array);
@@ -48,7 +49,7 @@ impl Organs {
 }
 
 impl BareSkin {
-    /// That of a person's head.
+    /// Builds the skin of a person's head.
     #[must_use]
     pub fn build(person: &Person, params: &HeadParams) -> Self {
         let shape = Shape::build(person, &params.bound, params.asymmetry);

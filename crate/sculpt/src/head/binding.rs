@@ -19,7 +19,7 @@ const TILT_DEG: f64 = -2.581;
 /// Tragion; the origin is the midpoint between the two.
 const TRAGION: Key = Key::Grid(12, 9);
 
-/// Type of a bound point.
+/// Kind of a point that is bound to the body model: a cage vertex or a point of the brow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Mark {
     /// A vertex of the cage.
@@ -29,7 +29,7 @@ pub(super) enum Mark {
 }
 
 impl Mark {
-    /// In the first three fields of a table's row.
+    /// Parses the mark from the first three fields of a table row; `None` if they are invalid.
     fn read(fields: &[&str]) -> Option<Self> {
         if *fields.first()? == BROW {
             return Some(Self::Brow(fields.get(2)?.parse().ok()?));
@@ -93,7 +93,8 @@ pub(super) fn refined(faces: &[[u32; 4]]) -> Refined {
     Refined::new(faces, table().iter().map(|p| p.face).collect())
 }
 
-/// Bound points as weighted sums over the vertices of the model's base mesh.
+/// Binding of the head's cage (coarse control mesh) to the body model: each bound point is a
+/// weighted sum over the vertices of the model's base mesh.
 #[derive(Clone, Debug)]
 pub struct Binding {
     stencils: Vec<Stencil>,
@@ -143,19 +144,19 @@ impl Binding {
         }
     }
 
-    /// A person of the model in the frame of the head.
+    /// Transforms the vertices of a person of the model to the frame of the head.
     pub(super) fn in_frame(&self, shape: &[DVec3]) -> Vec<DVec3> {
         let frame = self.frame(shape);
         shape.iter().map(|&p| frame.apply(p)).collect()
     }
 }
 
-/// A sum over the vertices of a person.
+/// Evaluates a weighted sum over the vertices of a person.
 fn evaluate_stencil(stencil: &Stencil, shape: &[DVec3]) -> DVec3 {
     stencil.iter().map(|&(i, w)| shape[i as usize] * w).sum()
 }
 
-/// From the model's frame to that of a head.
+/// Transform from the frame of the model to the frame of a head.
 struct Frame {
     turn: DQuat,
     /// Between the tragions, turned.
@@ -168,8 +169,8 @@ impl Frame {
     }
 }
 
-/// The head of one person of the model: where it puts the cage's vertices, in millimetres.
-/// Frame of the head: origin between the tragions, x left, y up, z front.
+/// Head shape of one person of the body model: positions of the cage vertices, millimetres. Frame
+/// of the head: origin between the tragions, x left, y up, z front.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelHeadShape {
     places: BTreeMap<(Mark, Side), DVec3>,
@@ -177,7 +178,7 @@ pub struct ModelHeadShape {
 }
 
 impl ModelHeadShape {
-    /// Evaluates the model.
+    /// Evaluates the body model for the traits of a person.
     ///
     /// # Errors
     /// When the model lacks what the traits name.
@@ -215,7 +216,7 @@ impl ModelHeadShape {
             .then_some(bound)
     }
 
-    /// All coordinates one after another, in an order that all heads share; millimetres.
+    /// Returns all coordinates in one list, in the same order for all heads; millimetres.
     #[must_use]
     pub fn flat_coordinates_mm(&self) -> Vec<f64> {
         let bound = keys().into_iter().filter_map(|key| self.places.get(&key));
@@ -296,7 +297,7 @@ impl ModelHeadShape {
         Some((left + mirror_vector(right.unwrap_or(left))) / 2.0)
     }
 
-    /// The left half of the mean of the head and its mirror image.
+    /// Returns the left half of the symmetrised head (mean of the head and its mirror image), mm.
     pub(super) fn symmetric(&self) -> Points {
         self.places
             .keys()
@@ -307,7 +308,7 @@ impl ModelHeadShape {
             .collect()
     }
 
-    /// The crest of a brow from its inner end, mm.
+    /// Returns the crest of the brow on a side, from its inner end outwards, mm.
     #[must_use]
     pub fn brow_of(&self, side: Side) -> Vec<DVec3> {
         (0..)
@@ -315,7 +316,7 @@ impl ModelHeadShape {
             .collect()
     }
 
-    /// The crest of the left brow from its inner end, symmetric.
+    /// Returns the crest of the left brow of the symmetrised head, from its inner end outwards, mm.
     pub(super) fn brow(&self) -> Vec<DVec3> {
         (0..)
             .map_while(|k| self.symmetric_at(Mark::Brow(k)))
@@ -337,15 +338,14 @@ impl ModelHeadShape {
         }
     }
 
-    /// The left eye's centre in the model, symmetric.
-    /// The head with both eyeballs so much farther out, mm.
+    /// Returns the head with each eyeball moved outwards by `by_mm`, mm.
     pub(crate) fn with_eyes_apart(mut self, by_mm: f64) -> Self {
         self.globes[0].x += by_mm;
         self.globes[1].x -= by_mm;
         self
     }
 
-    /// The middle of the left eyeball, symmetric.
+    /// Returns the centre of the left eyeball of the symmetrised head, mm.
     pub(super) fn globe(&self) -> DVec3 {
         (self.globes[0] + mirror_vector(self.globes[1])) / 2.0
     }

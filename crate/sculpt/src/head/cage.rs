@@ -19,10 +19,11 @@ const CROWN_LENGTH: u8 = 8;
 /// Rings of eye, mouth, nostril and ear, ring 0 included.
 const RINGS: [u8; 4] = [9, 9, 4, 11];
 
-/// Millimetres; the left half.
+/// Positions of the cage vertices on the left half of a head, mm.
 pub(crate) type Points = BTreeMap<Key, DVec3>;
 
-/// A vertex of one half of the cage. Rings: (ring, position along it).
+/// Key of a vertex in one half of the head's cage (coarse control mesh). Rings: (ring, position
+/// along it).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Key {
     /// Column, row.
@@ -160,7 +161,8 @@ impl Key {
         }
     }
 
-    /// The key in the first three fields of a table's row, as [`Self::parts`] names it.
+    /// Parses the key from the first three fields of a table row, in the notation of
+    /// [`Self::parts`]; `None` if they are invalid.
     pub(crate) fn read(fields: &[&str]) -> Option<Self> {
         let number = |i: usize| fields.get(i)?.parse::<u8>().ok();
         let (a, b) = (number(1)?, number(2)?);
@@ -175,7 +177,7 @@ impl Key {
         })
     }
 
-    /// Its name in tables: ring, number of the ring, position along it.
+    /// Returns the notation of the key in tables: ring name, ring number, position along the ring.
     pub(crate) fn parts(self) -> (&'static str, u8, u8) {
         match self {
             Self::Grid(a, b) => ("grid", a, b),
@@ -197,7 +199,7 @@ impl Key {
         }
     }
 
-    /// Position on the mouth's rings, ring 0 included.
+    /// Returns ring and position on the mouth's rings, ring 0 included; `None` for other vertices.
     pub(crate) fn mouth_position(self) -> Option<(u8, usize)> {
         match self {
             Self::Mouth(r, k) => Some((r, usize::from(k))),
@@ -210,7 +212,8 @@ impl Key {
     }
 }
 
-/// Zone of a face of the cage; rings count from the outer one of its two.
+/// Zone of a cage face, which selects its material and part. Rings count from the outer one of the
+/// two that bound the zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Zone {
     /// Outside all rings: the column and row of its upper inner corner.
@@ -223,11 +226,11 @@ pub(crate) enum Zone {
     Nostril(u8),
     /// Between two rings of an ear; 10 is the canal's end.
     Ear(u8),
-    /// On top.
+    /// Zone at the top of the skull.
     Crown,
 }
 
-/// The whole cage.
+/// Cage (coarse control mesh) of the whole head, shared by all people.
 #[derive(Clone, Debug)]
 pub(crate) struct Cage {
     /// Faces, counter-clockwise from outside.

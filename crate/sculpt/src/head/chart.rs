@@ -24,7 +24,7 @@ const COLUMN_SHARES: [f64; LAST_COLUMN as usize] = [
     1.0, 1.0, 1.0, 1.0, 1.1, 1.25, 1.35, 1.4, 1.35, 1.1, 0.75, 0.65, 0.75, 0.75, 0.75, 0.2, 0.13,
     0.12, 0.12, 0.12,
 ];
-/// The same for a row of faces; the crown above row 0 has its own.
+/// Share of chart height that the faces of the crown above row 0 receive.
 const CROWN_SHARE: f64 = 0.4;
 
 fn row_share(row: u8) -> f64 {
@@ -52,7 +52,7 @@ const FRONT_MM: [f64; 2] = [35.0, 75.0];
 /// Position on the patch, from the front, behind which the crown's midline is not cut.
 const CUT_FROM: u8 = 2;
 
-/// Texture chart shared by all heads.
+/// Texture chart of the head, shared by all people.
 pub(crate) struct Chart {
     /// Faces of the rendered surface over the vertices of the chart, which are doubled along the
     /// cut.
@@ -74,7 +74,7 @@ impl Chart {
     }
 }
 
-/// Positions on the mean head by fractional coordinates of the cage; left half, mm.
+/// Lookup of positions on the mean head by fractional coordinates of the cage; left half, mm.
 #[derive(Debug)]
 pub(crate) struct Places {
     cage: Cage,
@@ -400,7 +400,8 @@ impl Net<'_> {
     }
 }
 
-/// The harmonic map of the cage without lids, mouth and ears, and the borders of its holes.
+/// Computes the harmonic map of the cage without lids, mouth and ears, and the borders of its
+/// holes.
 fn flattened(
     open: &Cage,
     positions: &[DVec3],
@@ -424,7 +425,7 @@ fn flattened(
     (flat, holes)
 }
 
-/// A rising line through knots, straight between them.
+/// Evaluates a piecewise linear function through knots.
 fn through(knots: &[[f64; 2]], x: f64) -> f64 {
     let next = knots
         .partition_point(|k| k[0] < x)

@@ -15,7 +15,7 @@ pub(super) fn is_bag(zone: Zone) -> bool {
     matches!(zone, Zone::Mouth(5..))
 }
 
-/// The skin as a part of the surface.
+/// Returns the cut of the skin part from the surface of the head.
 pub(super) fn skin_cut(vertices: &[PartVertex]) -> PartCut<'_> {
     PartCut {
         name: "head",
@@ -41,7 +41,7 @@ pub(super) fn behind(part: &MeshPart, positions: &[DVec3]) -> Vec<u32> {
         .collect()
 }
 
-/// A part that is cut from the surface.
+/// Specification of a mesh part that is cut from the surface of the head.
 pub(super) struct PartCut<'a> {
     pub(super) name: &'a str,
     pub(super) kind: MaterialKind,
@@ -52,7 +52,7 @@ pub(super) struct PartCut<'a> {
     pub(super) keep: fn(Zone) -> bool,
 }
 
-/// The faces of some zones, and the chart's vertex of each of theirs.
+/// Returns the faces of the selected zones, and the chart vertex of each of their vertices.
 pub(super) fn faces_of_zones(
     surface: &Surface,
     chart: &Chart,
@@ -78,8 +78,8 @@ pub(super) fn faces_of_zones(
     (used, faces)
 }
 
-/// The faces of some zones as a part of their own, with vertices doubled along the chart's
-/// cut; `moved` are the morphs of the whole surface.
+/// Cuts the faces of the selected zones as a part of their own, with vertices doubled along the
+/// chart's cut; `moved` contains the morphs of the whole surface.
 pub(super) fn cut_part(
     surface: &Surface,
     chart: &Chart,

@@ -48,7 +48,8 @@ fn dome(angles: &[f64], radius: impl Fn(f64) -> f64) -> Dome {
     Dome { points, faces }
 }
 
-/// Distance of the cornea's sphere from the globe's centre in a direction, mm.
+/// Returns the distance of the cornea's sphere from the centre of the globe at an angle from the
+/// optical axis, mm; 0 outside the cornea.
 fn cornea_radius(angle: f64) -> f64 {
     let offset = GLOBE_RADIUS_MM + BULGE_MM - CORNEA_RADIUS_MM;
     let c = ops::cos(angle);
@@ -98,8 +99,8 @@ fn part(name: &str, look: &Look, dome: Dome, centre: DVec3, joint: Drive) -> Mes
     }
 }
 
-/// Eyeball, wet layer and caruncle of one side; `iris` is the iris' linear colour, stored
-/// in the eyeball's vertex colour for the shader.
+/// Builds eyeball, wet layer and caruncle of one side; `iris` is the linear colour of the iris,
+/// stored in the eyeball's vertex colour for the shader.
 pub(crate) fn eye(
     side: Side,
     centre_mm: DVec3,

@@ -20,10 +20,11 @@ struct SoftPull {
     side: Option<Side>,
 }
 
-/// A field.
+/// Local field: a soft displacement that moves one small feature of a head; faces vary in its
+/// amount.
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
-    /// Its name.
+    /// Name of the field, for example `curve of the brows`.
     pub name: &'static str,
     /// Standard deviation of its amount between faces. Designed: within the range seen on unposed
     /// faces; residual expressions are slight.
@@ -77,7 +78,7 @@ const fn field(name: &'static str, deviation: f64, pulls: &'static [SoftPull]) -
     }
 }
 
-/// All fields; amounts belong to them in this order.
+/// All local fields, in the order of their amounts in parameters.
 #[rustfmt::skip]
 pub const FIELDS: [Field; 26] = [
     field("curve of the brows", 0.5, &[
@@ -155,14 +156,14 @@ pub fn expression_fields() -> impl Iterator<Item = usize> {
     EXPRESSIONS.into_iter().filter_map(field_index)
 }
 
-/// Index of a field by its name.
+/// Returns the index of the field with a name in [`FIELDS`]; `None` for an unknown name.
 #[must_use]
 pub fn field_index(name: &str) -> Option<usize> {
     FIELDS.iter().position(|field| field.name == name)
 }
 
 impl ModelHeadShape {
-    /// The head with so much of each of [`FIELDS`]; missing amounts are zero.
+    /// Returns the head displaced by the amounts of [`FIELDS`]; missing amounts are zero.
     #[must_use]
     pub fn with_fields(&self, amounts: &[f64]) -> Self {
         let mut bells = Vec::new();
@@ -173,7 +174,8 @@ impl ModelHeadShape {
         self.moved(|p| bells.iter().map(|b| b.displacement(p)).sum())
     }
 
-    /// A pull on this head, on each side that it is on; one of the midline counts once.
+    /// Returns the displacements of a pull on this head, one on each of its sides; a pull on the
+    /// midline counts once.
     fn bells(&self, pull: &SoftPull, amount: f64) -> Vec<Bell> {
         let shift = DVec3::from_array(pull.shift_mm) * amount;
         let is_middle = self.position_of(pull.at, Right).is_none();

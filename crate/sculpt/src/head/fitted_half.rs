@@ -31,7 +31,7 @@ const TAPER: [(usize, f64); 2] = [(6, 0.76), (7, 0.48)];
 /// Weights with which rings 2 to 5 follow the lid.
 const LID_FOLLOWS: [f64; 4] = [0.0, 0.2, 0.8, 1.0];
 
-/// The left half of a head that is fit to move.
+/// Left half of a head, fitted so that lids and lips can move.
 #[derive(Clone, Debug)]
 pub(crate) struct FittedHalf {
     /// Positions of the cage's vertices, mm; vertices not listed are free.
@@ -241,7 +241,7 @@ fn nose_share(column: u8, row: u8) -> f64 {
     }
 }
 
-/// The natural difference of a vertex of the cage from the symmetric head, mm.
+/// Returns the natural asymmetry of a cage vertex: its displacement from the symmetrised head, mm.
 pub(super) fn sway(bound: &ModelHeadShape, key: Key, side: Side) -> DVec3 {
     let at = |key| bound.asymmetry(key, side);
     match key {

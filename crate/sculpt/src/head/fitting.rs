@@ -23,21 +23,21 @@ const STEP: f64 = 0.1;
 /// Rounds; the second knows on which side of zero each detail ends.
 const ROUNDS: usize = 3;
 
-/// Current and wanted value of a measure of a head, in standard deviations from the mean for its
-/// sex and age.
+/// Current and target value of a measure of a head, in standard deviations from the mean for its
+/// sex and age; report of the fitting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasureGoal {
-    /// Measure.
+    /// Measure that the goal is about.
     pub measure: Measure,
-    /// Before fitting.
+    /// Value before fitting, standard deviations.
     pub before: f64,
-    /// After it.
+    /// Value after fitting, standard deviations.
     pub after: f64,
-    /// Wanted value.
+    /// Target value, standard deviations.
     pub target: f64,
 }
 
-/// The measures of a head, millimetres, in the order of [`Measure::all`].
+/// Computes the measures of a head, millimetres, in the order of [`Measure::all`].
 #[must_use]
 pub fn measures(bound: &ModelHeadShape) -> [f64; Measure::COUNT] {
     let points = fit(bound, |_| None).points;
@@ -110,7 +110,8 @@ impl Fitting<'_> {
         all
     }
 
-    /// One step towards the targets that changes the person as little as it can.
+    /// Computes one step of the detail amounts towards the targets, with the smallest possible
+    /// change of the person.
     fn step(&self, own: &[f64], traits: &Traits) -> Result<Vec<f64>, ModelError> {
         let now = self.deviations(traits)?;
         let amounts = self.amounts(traits);

@@ -11,7 +11,7 @@ use super::cage::{Key, Zone};
 
 use Key::{Ear, Eye, Grid, Mouth};
 
-/// On the midline.
+/// Landmarks on the midline: standard name and cage vertex.
 const MIDDLE: [(&str, Key); 31] = [
     ("tr", Grid(0, 0)),
     ("m", Grid(0, 2)),
@@ -46,7 +46,7 @@ const MIDDLE: [(&str, Key); 31] = [
     ("i", Grid(20, 12)),
 ];
 
-/// On both sides.
+/// Landmarks that occur on both sides: standard name and cage vertex.
 const PAIRED: [(&str, Key); 50] = [
     ("ft", Grid(8, 3)),
     ("fmt", Grid(8, 4)),

@@ -17,7 +17,7 @@ pub(super) const CANTHUS: [f64; 16] = [
     1.0, 0.55, 0.1, 0.0, 0.0, 0.0, 0.0, 0.1, 0.5, 0.1, 0.0, 0.0, 0.0, 0.0, 0.1, 0.55,
 ];
 
-/// The lids' inner margin and their lining behind it, from the lash line.
+/// Adds the inner margins of the lids and their lining behind them, derived from the lash line.
 pub(super) fn line_lids(all: &mut Points, centre: DVec3) {
     let margin: [DVec3; 16] = ring(all, |k| Key::eye(5, k));
     let opening = DVec3::new(centre.x, centre.y - 0.4, 0.0);
@@ -49,7 +49,7 @@ pub(super) fn line_lids(all: &mut Points, centre: DVec3) {
 /// intersecting.
 pub(super) const LIP_BULGE_MM: [f64; 7] = [0.66, 0.65, 0.62, 0.55, 0.53, 0.40, 0.0];
 
-/// 1 on the upper lip, −1 on the lower, 0 at the corner.
+/// Returns the direction of a lip position: 1 on the upper lip, −1 on the lower, 0 at the corner.
 pub(super) fn upward(k: usize) -> f64 {
     ((6.0 - k as f64) * 0.7).clamp(-1.0, 1.0)
 }

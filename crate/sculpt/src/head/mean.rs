@@ -25,7 +25,7 @@ impl Default for ModelHeadShape {
     }
 }
 
-/// Its cage.
+/// Returns the solved cage of the mean head, computed once.
 pub(super) fn solved(cage: &Cage) -> &'static Solved {
     static SOLVED: OnceLock<Solved> = OnceLock::new();
     SOLVED.get_or_init(|| solve(cage, &ModelHeadShape::default().symmetric()))

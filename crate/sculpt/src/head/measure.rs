@@ -5,7 +5,7 @@ use raconteur_base::DVec3;
 use super::cage::Key;
 use crate::statistics::{Row, Source};
 
-/// A measure of the head or the face.
+/// Measure of the head or the face, for which population statistics are known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Measure {
     /// Glabella to opisthocranion.
@@ -14,7 +14,7 @@ pub enum Measure {
     HeadBreadth,
     /// Tragion to vertex, vertical.
     HeadHeight,
-    /// Least breadth of the forehead.
+    /// Minimum breadth of the forehead.
     ForeheadBreadth,
     /// Breadth of the cheekbones' arches.
     FaceBreadth,
@@ -54,20 +54,20 @@ pub enum Measure {
     EarBreadth,
 }
 
-/// Points by key; the left half, mm.
+/// Function that returns the position of a cage vertex by key; left half, mm.
 pub(crate) type At<'a> = &'a dyn Fn(Key) -> DVec3;
 
-/// Function that takes a measure on the left half.
+/// Function that takes a measure on the left half of a head, mm.
 pub(crate) type Measurer = fn(At<'_>) -> f64;
 
-/// A measure's definition.
+/// Definition of a measure: name, landmarks, statistics and the function that takes it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Definition {
     pub(crate) measure: Measure,
     pub(crate) name: &'static str,
     /// Ends of the distance in standard landmark names.
     pub(crate) landmarks: &'static str,
-    /// Its statistics.
+    /// Population statistics of the measure.
     pub(crate) row: Row,
     pub(crate) measurer: Measurer,
 }
@@ -78,7 +78,7 @@ fn breadth(p: DVec3) -> f64 {
 
 const G: fn(u8, u8) -> Key = Key::Grid;
 
-/// Greatest of some keys by a coordinate.
+/// Returns the maximum of a coordinate over some cage vertices.
 fn max_by(at: At<'_>, keys: &[Key], coordinate: fn(DVec3) -> f64) -> f64 {
     keys.iter()
         .map(|&k| coordinate(at(k)))
@@ -110,7 +110,7 @@ macro_rules! row {
     };
 }
 
-/// All measures.
+/// Definitions of all measures, in the order of [`Measure`].
 #[rustfmt::skip]
 pub(crate) const DEFINITIONS: [Definition; 22] = {
     use Measure as M;
@@ -169,7 +169,7 @@ impl Measure {
     /// Number of measures.
     pub const COUNT: usize = DEFINITIONS.len();
 
-    /// All, in the order of the table.
+    /// Iterates over all measures in the order of the table.
     pub fn all() -> impl Iterator<Item = Self> {
         DEFINITIONS.iter().map(|d| d.measure)
     }
@@ -178,33 +178,33 @@ impl Measure {
         &DEFINITIONS[self as usize]
     }
 
-    /// Its name in parameter files, for example `nose_breadth`.
+    /// Returns the name of the measure in parameter files, for example `nose_breadth`.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.definition().name
     }
 
-    /// The measure of a name.
+    /// Returns the measure with a name; `None` for an unknown name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         Self::all().find(|m| m.name() == name)
     }
 }
 
-/// Measure that can be taken on a finished figure.
+/// Measure that can be taken on a finished figure, with its landmarks and statistics.
 #[derive(Clone, Copy, Debug)]
 pub struct KnownMeasure {
-    /// Its name.
+    /// Name of the measure.
     pub name: &'static str,
-    /// Its ends in landmark names.
+    /// Landmarks at the ends of the distance, separated by `-`.
     pub landmarks: &'static str,
-    /// Its statistics.
+    /// Population statistics of the measure.
     pub row: &'static Row,
     /// Axis of a projected distance, world frame; `None` for a straight one.
     pub along: Option<DVec3>,
 }
 
-/// The measures.
+/// Iterates over the measures that can be taken on a finished figure.
 pub fn known_measures() -> impl Iterator<Item = KnownMeasure> {
     DEFINITIONS.iter().map(|d| {
         let along = match d.measure {

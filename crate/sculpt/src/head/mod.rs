@@ -73,7 +73,7 @@ use crate::subdivide::Stencil;
 use raconteur_base::surface::vertex_normals;
 use raconteur_body::figure::MaterialKind;
 
-/// Parameters that distinguish heads of the same sex and age.
+/// Parameters that distinguish heads of the same sex and age: shape, iris, brows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadParams {
     /// The person of the body model whose head it is.
@@ -93,8 +93,8 @@ pub struct HeadParams {
     pub seed: u64,
 }
 
-/// A built head. Everything is in metres in the frame of the head: origin between the
-/// tragions, x left, y up, z front.
+/// Built head, ready for rigging: parts, joints and landmarks. Everything is in metres in the frame
+/// of the head: origin between the tragions, x left, y up, z front.
 #[derive(Clone, Debug)]
 pub struct Head {
     /// Drawable parts, the skin first, in the bind pose: lids open, jaw closed.
@@ -104,7 +104,7 @@ pub struct Head {
     /// Position of `bone_chin`. A positive rotation about its local z opens the jaw: 0.30 rad is
     /// fully open.
     pub jaw_hinge: DVec3,
-    /// Position of `bone_skull`.
+    /// Position of the joint `bone_skull`, metres.
     pub skull_origin: DVec3,
     /// The neck's open rim, counter-clockwise from above, closed implicitly.
     pub neck_rim: Vec<DVec3>,
@@ -125,7 +125,7 @@ pub struct Head {
 }
 
 impl Head {
-    /// The skin, which is the first of its parts.
+    /// Returns the skin, the first of the parts.
     pub fn skin(&self) -> &MeshPart {
         &self.parts[0]
     }
@@ -306,7 +306,7 @@ impl Shape {
         [self.fitted.globe, mirror_vector(self.fitted.globe)]
     }
 
-    /// An eye with its lashes and its brow.
+    /// Builds one eye with its lashes and its brow.
     fn eye_parts(
         &self,
         side: Side,
@@ -349,7 +349,7 @@ impl Shape {
     }
 }
 
-/// Builds the head of a person.
+/// Builds the head of a person from its parameters.
 #[must_use]
 pub fn build(person: &Person, params: &HeadParams) -> Head {
     let shape = Shape::build(person, &params.bound, params.asymmetry);

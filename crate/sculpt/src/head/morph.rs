@@ -14,7 +14,7 @@ use crate::least_squares::{Terms, least_squares};
 /// Jaw angle at which `mouthClose` at weight 1 leaves the lips just touching, radians.
 pub(crate) const CLOSE_JAW_RAD: f64 = 0.2;
 
-/// One morph on the cage.
+/// Morph target of the head, as displacements of the cage.
 #[derive(Clone, Debug)]
 pub(crate) struct CageMorph {
     pub(crate) name: &'static str,
@@ -45,7 +45,7 @@ struct Recipe {
     both: bool,
 }
 
-/// 1 on the upper lip's red, 0 at the corner and on the lower lip.
+/// Returns 1 on the red of the upper lip, falling to 0 at the corner and on the lower lip.
 fn upper(k: usize) -> f64 {
     ((6.0 - k as f64) / 3.0).clamp(0.0, 1.0)
 }
@@ -54,7 +54,7 @@ fn lower(k: usize) -> f64 {
     upper(12 - k)
 }
 
-/// Inner rings turn further than the border.
+/// Returns the share by which a lip ring turns, 0..1: inner rings turn more than the border.
 fn inward(ring: u8) -> f64 {
     f64::from(ring.min(5)) / 5.0
 }
@@ -271,7 +271,7 @@ fn is_anchor(key: Key, p: DVec3) -> bool {
     }
 }
 
-/// All morphs on the cage, right halves mirrored from the left ones.
+/// Computes all morphs on the cage; right halves are mirrored from the left ones.
 pub(crate) fn morphs(
     cage: &Cage,
     solved: &Solved,
@@ -381,7 +381,7 @@ fn mirror(cage: &Cage, deltas: &[DVec3]) -> Vec<DVec3> {
         .collect()
 }
 
-/// The lower lid's edge slides up over the globe by about a millimetre.
+/// Raises the edge of the lower lid over the globe by about a millimetre.
 fn raise_lower_margin(cage: &Cage, solved: &Solved, deltas: &mut [DVec3]) {
     for k in 9..16usize {
         let middle = 1.0 - ((k as f64 - 12.0) / 4.0) * ((k as f64 - 12.0) / 4.0);

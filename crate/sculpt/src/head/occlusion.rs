@@ -86,8 +86,8 @@ impl View {
     }
 }
 
-/// Cosine-weighted share of the open hemisphere at each receiver (position, normal), 0..1.
-/// `bias` lifts receivers off the occluding surface, in its unit.
+/// Returns the cosine-weighted share of the open hemisphere at each receiver (position, normal),
+/// 0..1. `bias` lifts receivers off the occluding surface, in the unit of the surface.
 pub(crate) fn openness(
     points: &[DVec3],
     triangles: &[[u32; 3]],

@@ -10,7 +10,7 @@ use super::surface::Surface;
 /// Colour of the mouth behind the lips, linear RGB.
 pub(crate) const MOUTH_DEEP: [f64; 3] = [0.16, 0.04, 0.035];
 
-/// Smooth coordinates of the surface that zones are read from.
+/// Smooth coordinates of a point on the head, from which the zones of the skin paint are derived.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Coordinates {
     /// Ring number at the mouth, 0 outside.

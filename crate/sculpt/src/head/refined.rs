@@ -7,7 +7,7 @@ use raconteur_base::DVec3;
 
 use crate::subdivide::{Stencil, Subdivided, subdivide};
 
-/// Position in a face: from its first corner along its first edge and along its last, 0..1.
+/// Position in a face, 0..1: from its first corner along its first edge and along its last edge.
 pub(super) type InFace = [f64; 2];
 
 /// Returns the child of a quad that contains a position, and the position in the child.
@@ -31,7 +31,8 @@ fn parent(child: usize, [a, b]: InFace) -> InFace {
     }
 }
 
-/// Some faces of the model and those around them, subdivided twice.
+/// Patch of the body model around some faces, subdivided twice, for binding points to a smooth
+/// surface.
 pub(super) struct Refined {
     /// Model vertex of each local vertex.
     vertices: Vec<u32>,
@@ -84,14 +85,13 @@ impl Refined {
         sum.into_iter().collect()
     }
 
-    /// The subdivided vertices of a person.
+    /// Returns the subdivided vertices for the shape of a person.
     pub(super) fn points(&self, shape: &[DVec3]) -> Vec<DVec3> {
         let own: Vec<DVec3> = self.vertices.iter().map(|&v| shape[v as usize]).collect();
         self.fine.apply(&own)
     }
 
-    /// Two triangles of each subdivided face: corners first, second, third and first, third,
-    /// fourth.
+    /// Returns two triangles for each subdivided face: corners 1, 2, 3 and 1, 3, 4.
     pub(super) fn triangles(&self) -> Vec<[u32; 3]> {
         let quads = self.fine.faces.iter();
         quads

@@ -14,7 +14,7 @@ pub(crate) const JAW_HINGE_MM: DVec3 = DVec3::new(0.0, -2.0, 8.0);
 /// behind the ear canals. Chosen by eye.
 pub(crate) const SKULL_ORIGIN_MM: DVec3 = DVec3::new(0.0, -18.0, -8.0);
 
-/// Shares of a cage vertex; the rest belongs to the skull and the neck.
+/// Skinning shares of a cage vertex; the remainder belongs to the skull and the neck.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Shares {
     pub(crate) jaw: f64,
@@ -97,7 +97,7 @@ fn neck_share(key: Key, p: DVec3, face: &Bounds) -> f64 {
 const UPPER_FOLLOWS: [f64; 5] = [0.14, 0.85, 1.0, 1.0, 0.9];
 const LOWER_FOLLOWS: [f64; 5] = [0.2, 0.6, 1.0, 1.0, 0.9];
 
-/// Weights of all cage vertices, and the rotation that closes the lids.
+/// Skinning weights of all cage vertices, and the lid angles that close the eyes.
 #[derive(Clone, Debug)]
 pub(crate) struct Rig {
     pub(crate) shares: Vec<Shares>,

@@ -4,7 +4,7 @@ use raconteur_base::DVec3;
 
 use super::paint::Coordinates;
 
-/// Measures of the head, and the areas that a beard must avoid.
+/// Measures of the head on which hair is laid out, and the areas that a beard must avoid.
 #[derive(Clone, Debug, Default)]
 pub struct Scalp {
     /// Measures of the head.
@@ -15,12 +15,12 @@ pub struct Scalp {
     pub lips: Vec<DVec3>,
 }
 
-/// Bounds of an ear: an ellipsoid along the axes; metres.
+/// Bounds of an ear, which hair avoids: an axis-aligned ellipsoid, metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ear {
-    /// Middle.
+    /// Centre of the ellipsoid, metres.
     pub centre: DVec3,
-    /// Half axes.
+    /// Half axes of the ellipsoid x, y, z, metres.
     pub radii: DVec3,
 }
 
@@ -37,11 +37,11 @@ impl Ear {
     }
 }
 
-/// Measures from the midpoint between the tragions, metres. Hair is described on a common head;
-/// [`Self::common`] maps positions to it.
+/// Measures of the head from the midpoint between the tragions, metres. Hair is described on a
+/// common head; [`Self::common`] maps positions to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Proportions {
-    /// Half the breadth of the skull.
+    /// Half the breadth of the skull, metres.
     pub half_breadth: f64,
     /// Height of the vertex.
     pub vertex: f64,
@@ -106,7 +106,7 @@ impl Proportions {
         p * DVec3::new(COMMON.half_breadth / self.half_breadth, y, z)
     }
 
-    /// This head's size over the common one's.
+    /// Returns the size of this head relative to the common head.
     #[must_use]
     pub fn size(&self) -> f64 {
         (self.half_breadth / COMMON.half_breadth

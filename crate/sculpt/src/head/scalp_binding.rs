@@ -8,7 +8,8 @@ use super::surface::nearest;
 use crate::part::{JointRef, MeshPart, PartMorph};
 use raconteur_base::surface::vertex_normals;
 
-/// The skin that hairs are rooted in; metres, frame of the head.
+/// Skin in which hairs are rooted, with the weights that a hair inherits from it; metres, frame of
+/// the head.
 pub(crate) struct ScalpBinding {
     pub(crate) positions: Vec<DVec3>,
     pub(crate) normals: Vec<DVec3>,
@@ -18,7 +19,7 @@ pub(crate) struct ScalpBinding {
     bound: Vec<Vec<(u32, f64)>>,
 }
 
-/// Vertices of the skin with their shares.
+/// Vertices of the skin with their shares, which a hair follows.
 pub(crate) type VertexWeights = Vec<(u32, f64)>;
 
 impl ScalpBinding {
@@ -44,7 +45,7 @@ impl ScalpBinding {
         }
     }
 
-    /// The `count` nearest vertices.
+    /// Returns the `count` vertices nearest to a root, with their shares.
     pub(crate) fn nearest_vertices(&self, root: DVec3, count: usize) -> VertexWeights {
         nearest(&self.positions, root, count, 1.5e-4)
     }

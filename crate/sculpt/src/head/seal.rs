@@ -53,7 +53,7 @@ impl Lips {
         Self { once, limit, nodes }
     }
 
-    /// Height of the least gap in each column on the surface, mm.
+    /// Computes the height of the smallest gap between the lips in each column of the surface, mm.
     fn gaps(&self, points: &[DVec3]) -> BTreeMap<Column, f64> {
         let at = self.once.apply(points);
         let height = |v: usize| -> f64 {

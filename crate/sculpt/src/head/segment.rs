@@ -7,14 +7,14 @@ use raconteur_base::Side;
 use super::Shape;
 use super::cage::Key;
 
-/// A segment of the head's skin.
+/// Segment of the head's skin in the hierarchy of segments that a face space models separately.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HeadSegment {
-    /// Its name.
+    /// Name of the segment.
     pub name: &'static str,
     /// Index of its parent.
     pub parent: Option<usize>,
-    /// Its own vertices of the skin's part as (first, count).
+    /// Vertices of the skin part that belong to this segment itself, as runs (first, count).
     pub runs: Vec<[u32; 2]>,
 }
 

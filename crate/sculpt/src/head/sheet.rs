@@ -5,7 +5,7 @@ use raconteur_base::DVec3;
 use super::chart::Places;
 use super::paint::Coordinates;
 
-/// The head's skin as the baking needs it.
+/// Skin of the head as input of the texture baking.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct HeadSheet {
     /// Texture coordinates of each vertex in the atlas, 0..1.

@@ -15,7 +15,7 @@ use super::solve::Solved;
 use crate::subdivide::{Stencil, edge_faces, limit_stencils, subdivide};
 
 /// Position on the lips: ring from the skin (0) inwards, and position from the middle of the upper
-/// lip (0) over the corner (12) to the middle of the lower (24); both in half steps of the cage's.
+/// lip (0) over the corner (12) to the middle of the lower (24); both in half steps of the cage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct LipPlace {
     pub(crate) ring: u8,
@@ -23,7 +23,7 @@ pub(crate) struct LipPlace {
     pub(crate) side: Side,
 }
 
-/// A node of the skin.
+/// Node of the skin in the tissue simulation, with its mobility and jaw share.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SoftNode {
     /// Position on the rendered surface, metres, frame of the head.
@@ -43,7 +43,7 @@ pub(crate) struct SoftNode {
     pub(crate) lip: Option<LipPlace>,
 }
 
-/// The soft face of one head.
+/// Skin of one head as a mesh of nodes, the source of its tissue simulation.
 #[derive(Clone, Debug)]
 pub(crate) struct Soft {
     pub(crate) nodes: Vec<SoftNode>,
@@ -204,7 +204,7 @@ pub(super) fn lip_places(cage: &Cage) -> impl Iterator<Item = (usize, LipPlace)>
     between.into_iter().enumerate().filter_map(place)
 }
 
-/// Weights of rendered vertices over nodes.
+/// Weights by which the rendered vertices of the skin follow the nodes.
 pub(super) struct Follow {
     /// The node of each vertex of the cage subdivided once.
     node_of: Vec<Option<u32>>,

@@ -8,7 +8,7 @@ use super::cage::{Cage, Key, Points};
 use crate::least_squares::{Terms, least_squares};
 use crate::subdivide::{Stencil, limit_stencils};
 
-/// A cage and its limit surface.
+/// Solved cage (coarse control mesh) of a head, and the stencils of its limit surface.
 #[derive(Clone, Debug)]
 pub(crate) struct Solved {
     /// Cage vertices, mm.
@@ -18,7 +18,7 @@ pub(crate) struct Solved {
 }
 
 impl Solved {
-    /// Limit position of a cage vertex for any cage.
+    /// Returns the limit position of a cage vertex for any positions of the cage, mm.
     pub(crate) fn limit_of(&self, v: usize, cage_points: &[DVec3]) -> DVec3 {
         self.limit[v]
             .iter()
@@ -30,7 +30,7 @@ impl Solved {
 const ROUNDS: usize = 2;
 const TWIST: f64 = 0.7;
 
-/// Weight of a point against fairness. Designed: lids and lips are exact.
+/// Returns the weight of a bound point against fairness. Designed: lids and lips are exact.
 fn weight(key: Key) -> f64 {
     match key {
         Key::Eye(5.., _) | Key::Mouth(4.., _) => 30.0,
@@ -38,7 +38,7 @@ fn weight(key: Key) -> f64 {
     }
 }
 
-/// Neighbourhoods of the cage, built once.
+/// Neighbourhoods of the cage from which the fairness equations are built, computed once.
 pub(crate) struct Fairness {
     neighbours: Vec<Vec<u32>>,
     /// Pairs of opposite neighbours at regular and rim vertices; `None` at poles.
@@ -102,9 +102,9 @@ impl Fairness {
         }
     }
 
-    /// Second differences along both grid directions with uneven spacing, Laplacians at
-    /// poles, and the twist of every quad. With `points` the rows are scaled to curvature
-    /// times the square root of area, or dense rows would bend too cheaply.
+    /// Returns the fairness equations: second differences along both grid directions, Laplacians at
+    /// poles, the twist of every quad. With `points` they are scaled to curvature times the square
+    /// root of area; otherwise dense rows bend too cheaply.
     pub(crate) fn rows(&self, points: Option<&[DVec3]>) -> Vec<Terms> {
         let length =
             |v: usize, u: u32| points.map_or(1.0, |p| (p[u as usize] - p[v]).length().max(0.3));

@@ -13,7 +13,7 @@ use super::scalp_binding::{ScalpBinding, VertexWeights};
 use crate::part::{MeshPart, PartVertex};
 use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
-/// Hairs of brows and lashes.
+/// Parameters of the hairs of brows and lashes: colour, density, length.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BrowParams {
     /// Colour of the brows, linear RGB; lashes are darker.
@@ -49,11 +49,11 @@ impl Default for BrowParams {
     }
 }
 
-/// One hair.
+/// One hair of a brow or a lash, modelled as a ribbon.
 struct Strand {
     /// Middle line from root to tip, mm.
     points: Vec<DVec3>,
-    /// At the root, mm.
+    /// Half width at the root, mm.
     half_width: f64,
     /// Outward direction, which the ribbon faces.
     facing: DVec3,
@@ -64,7 +64,7 @@ struct Strand {
 }
 
 impl Strand {
-    /// Length of the middle line, mm.
+    /// Returns the length of the middle line, mm.
     #[cfg(test)]
     fn length_mm(&self) -> f64 {
         self.points.windows(2).map(|w| w[0].distance(w[1])).sum()
@@ -175,7 +175,7 @@ fn letter(side: Side) -> &'static str {
     if side == Side::Left { "left" } else { "right" }
 }
 
-/// The brow of one side.
+/// Builds the brow of one side as a mesh part.
 pub(crate) fn brow(
     ride: &ScalpBinding,
     line: &BrowLine,
@@ -188,8 +188,8 @@ pub(crate) fn brow(
     build_mesh(name, &brow, ride, 3, p.colour)
 }
 
-/// The lashes of one side. `edges` are the lash edges of the upper and the lower lid
-/// from the inner to the outer corner.
+/// Builds the lashes of one side as a mesh part. `edges` are the lash edges of the upper and the
+/// lower lid from the inner to the outer corner.
 pub(crate) fn lashes(
     ride: &ScalpBinding,
     edges: &[Vec<DVec3>; 2],

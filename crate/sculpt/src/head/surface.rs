@@ -6,7 +6,8 @@ use raconteur_base::DVec3;
 use super::cage::{Cage, Zone};
 use crate::subdivide::{Stencil, Subdivided, limit_stencils, subdivide};
 
-/// Vertices on the limit surface and the faces between them.
+/// Rendered surface of the head: vertices on the limit surface of the cage, and the faces between
+/// them.
 #[derive(Clone, Debug)]
 pub(crate) struct Surface {
     /// Triangles and quads, counter-clockwise from outside.

@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 use raconteur_base::DVec3;
 use raconteur_body::figure::Mesh;
 
-/// At each level: share of a card's spans that stay, and most triangles of a mesh.
+/// Levels of detail of hair cards: share of a card's spans that remain, and maximum number of
+/// triangles of a mesh.
 const LEVELS: [(f64, usize); 2] = [(0.6, 7_600), (0.3, 2_700)];
 
 /// Hair card: its vertices lie row by row, two to a row.
@@ -18,7 +19,7 @@ struct Card {
     light: f64,
 }
 
-/// The cards of a mesh by their order in it.
+/// Finds the hair cards of a mesh, in the order of its vertices.
 fn cards(mesh: &Mesh) -> Vec<Card> {
     let mut ends: Vec<(u32, u32)> = Vec::new();
     for t in mesh.indices.chunks_exact(3) {
@@ -65,7 +66,7 @@ fn spread(mesh: &Mesh, cards: &[Card]) -> Vec<usize> {
     ranked.into_iter().map(|(_, i)| i).collect()
 }
 
-/// The levels after the finest.
+/// Returns the index lists of the levels of detail after the finest.
 pub(super) fn coarser(mesh: &Mesh) -> Vec<Vec<u32>> {
     let levels = LEVELS.iter();
     levels
@@ -92,7 +93,7 @@ pub(super) fn thinned(mesh: &Mesh, share: f64, most: usize) -> Vec<u32> {
     cards.flat_map(|(c, _)| strip(mesh, c, spans(c))).collect()
 }
 
-/// The triangles of a card with this many spans.
+/// Returns the triangles of a card that is reduced to `spans` spans.
 fn strip(mesh: &Mesh, card: &Card, spans: u32) -> Vec<u32> {
     let row = |i: u32| card.first + 2 * ((i * (card.rows - 1) + spans / 2) / spans);
     let at = |v: u32| DVec3::from_array(mesh.positions[v as usize].map(f64::from));

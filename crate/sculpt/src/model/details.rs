@@ -22,7 +22,8 @@ const UNUSUAL: [&str; 7] = [
     "ear-shape-pointed-triangle",
 ];
 
-/// A detail of the head, the same on both sides.
+/// Morphological detail of the head in the body model, with equal amounts on both sides in a usual
+/// head.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Detail {
     /// Names in [`super::Traits::details`]: one for the whole head, or those of left and right.
@@ -59,7 +60,7 @@ impl Category {
 }
 
 impl Model {
-    /// The details that shape a usual head, in the order of their groups' names.
+    /// Returns the details that shape a usual head, in the order of the names of their groups.
     ///
     /// # Errors
     /// When the model's list of targets is missing or broken.
@@ -73,7 +74,7 @@ impl Model {
     }
 }
 
-/// The details of heads in the model's list of targets.
+/// Parses the details of heads from the model's list of targets.
 fn of_heads(list: &str) -> serde_json::Result<Vec<Detail>> {
     let groups: BTreeMap<String, Group> = serde_json::from_str(list)?;
     let own = groups

@@ -9,7 +9,7 @@ use super::{ModelError, UNIT_MM};
 /// Group of rendered faces; the others are helpers for clothes, joints and eyes.
 const BODY: &str = "body";
 
-/// Vertices in millimetres, and the quads of the body.
+/// Base mesh of the body model: vertices in millimetres, and the quads of the body.
 pub(super) type Mesh = (Vec<DVec3>, Vec<[u32; 4]>);
 
 /// Parses exactly `N` numbers; `None` if there are fewer or if one is invalid.

@@ -33,7 +33,7 @@ const FACES: usize = 13_378;
 /// Largest file that is read, bytes once unpacked; the base mesh has 3 MB.
 const MAX_FILE_BYTES: u64 = 16 << 20;
 
-/// Error returned when the model cannot produce a shape.
+/// Error returned when the body model cannot be read or cannot produce a shape.
 #[derive(Debug, Error)]
 pub enum ModelError {
     /// A file cannot be read.
@@ -62,7 +62,8 @@ pub enum ModelError {
 /// Vertices moved by a target, with the displacement at weight 1, mm.
 type Target = Arc<[(u32, DVec3)]>;
 
-/// The base mesh and the folder of its targets.
+/// MakeHuman body model: its base mesh and the folder of its targets, from which it computes the
+/// shapes of people.
 #[derive(Debug)]
 pub struct Model {
     folder: PathBuf,
@@ -73,7 +74,7 @@ pub struct Model {
 }
 
 impl Model {
-    /// Opens the folder that `npm run model` makes.
+    /// Opens the body model in the folder that `npm run model` creates.
     ///
     /// # Errors
     /// When the base mesh is missing or broken.
@@ -96,7 +97,7 @@ impl Model {
         })
     }
 
-    /// The faces of the body, in the order of the file.
+    /// Returns the quads of the body, in the order of the file.
     #[must_use]
     pub fn faces(&self) -> &[[u32; 4]] {
         &self.faces
@@ -118,7 +119,8 @@ impl Model {
         Ok(shape)
     }
 
-    /// The target of a detail: with a pair of opposites in its name the one on the value's side.
+    /// Returns the target name of a detail. If the name contains a pair of opposites, the sign of
+    /// the value selects one.
     fn detail(&self, name: &str, value: f64) -> Result<String, ModelError> {
         let unknown = || ModelError::NoDetail(name.to_owned());
         // Names become paths.
@@ -154,7 +156,7 @@ impl Model {
         Ok(())
     }
 
-    /// A target, from its file where it was not read before.
+    /// Returns a target; reads its file on first use.
     fn target(&self, name: &str) -> Result<Target, ModelError> {
         let known = || self.read.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(target) = known().get(name) {
@@ -192,7 +194,7 @@ pub fn eye_centres(shape: &[DVec3]) -> [DVec3; 2] {
     })
 }
 
-/// A text file, unpacked where its name ends in `.gz`.
+/// Reads a text file; decompresses it if its name ends in `.gz`.
 fn text(path: &Path) -> Result<String, ModelError> {
     let read = || {
         let file = std::fs::File::open(path)?;

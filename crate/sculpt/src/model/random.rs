@@ -12,8 +12,8 @@ const AGES: [f64; 2] = [8.0, 80.0];
 const MAX_DETAIL: f64 = 0.6;
 
 impl Traits {
-    /// Person number `index` of a crowd: any age, sex and mixture of ancestries; details about
-    /// the mean, two in three of them within ±0.2. The same for the same `seed`.
+    /// Returns person number `index` of a random crowd: any age, sex and mixture of ancestries;
+    /// details about the mean, two in three within ±0.2. The same `seed` gives the same person.
     #[must_use]
     pub fn random(details: &[Detail], seed: u64, index: u64) -> Self {
         let mut drawn = 0;

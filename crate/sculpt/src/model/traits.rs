@@ -4,22 +4,23 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-/// Shares of ancestry, which are divided by their sum.
+/// Shares of ancestry of a person in the body model; they are normalised by their sum.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Ancestry {
-    /// African.
+    /// Share of African ancestry.
     #[serde(default)]
     pub african: f64,
-    /// East Asian.
+    /// Share of East Asian ancestry.
     #[serde(default)]
     pub asian: f64,
-    /// European.
+    /// Share of European ancestry.
     #[serde(default)]
     pub european: f64,
 }
 
-/// A person as a point in the body model's space. Axes are MakeHuman's own.
+/// Person as a point in the body model's space: age, sex, ancestry, body and face details. The axes
+/// are those of MakeHuman.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Traits {
@@ -27,7 +28,7 @@ pub struct Traits {
     pub age_years: f64,
     /// 0 male to 1 female.
     pub sex: f64,
-    /// Ancestry.
+    /// Shares of ancestry.
     pub ancestry: Ancestry,
     /// 0 slack to 1 trained, 0.5 average.
     pub muscle: f64,

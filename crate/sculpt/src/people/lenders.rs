@@ -3,13 +3,13 @@
 use super::{FigureParams, preset};
 use crate::hair::{BeardCut, BeardParams, HairParams, HairStyle};
 
-/// Names of hair for the scalp.
+/// Names of the hair styles that other figures can wear on the scalp.
 pub const HAIR: [&str; 20] = [
     "buzz", "crop", "side", "swept", "tousled", "receding", "thinning", "balding", "coily", "afro",
     "pixie", "page", "bob", "wavy", "curly", "long", "straight", "ponytail", "bun", "braid",
 ];
 
-/// Names of beards.
+/// Names of the beards that other figures can wear.
 pub const BEARDS: [&str; 7] = [
     "moustache",
     "handlebar",
@@ -20,10 +20,10 @@ pub const BEARDS: [&str; 7] = [
     "full",
 ];
 
-/// No skin is painted under a beard that is lent.
+/// Root density of a borrowed beard; it is high because no painted beard covers the skin beneath.
 const DENSITY: f64 = 1.7;
 
-/// A style as a person of the library has it.
+/// Returns a bundled person whose hair is replaced by a style; `None` for an unknown person.
 fn styled(like: &str, style: HairStyle) -> Option<FigureParams> {
     let mut person = preset(like)?;
     person.hair = HairParams {

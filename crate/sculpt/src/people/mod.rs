@@ -19,7 +19,7 @@ use super::person::Person;
 use super::skin::SkinParams;
 use super::torso::BodyParams;
 
-/// Complete parameters of a figure.
+/// Complete parameters of a figure, from which its mesh, skeleton and tissue are generated.
 ///
 /// # Examples
 ///
@@ -39,20 +39,20 @@ pub struct FigureParams {
     pub person: Person,
     /// Size of the bust, 1 = average. Women only.
     pub bust: f64,
-    /// Face.
+    /// Parameters of the head and the face.
     pub head: HeadParams,
     /// Skin of head and hands.
     pub skin: SkinParams,
-    /// Hands.
+    /// Size of the hands relative to the mean.
     pub hand: HandProportions,
-    /// Hair.
+    /// Hair style and beard.
     pub hair: HairParams,
-    /// Clothes.
+    /// Outfit and its colours.
     pub wardrobe: Outfit,
 }
 
 impl FigureParams {
-    /// The measures of trunk and limbs.
+    /// Returns the measures of trunk and limbs.
     pub(super) fn body(&self) -> BodyParams {
         let p = self.person;
         BodyParams {
@@ -64,7 +64,7 @@ impl FigureParams {
         }
     }
 
-    /// The measures of the hands.
+    /// Returns the measures of the hands.
     #[must_use]
     pub fn hands(&self) -> HandParams {
         HandParams::from_person(&self.person, &self.hand, self.skin.base_colour())
@@ -92,7 +92,7 @@ fn bound(text: &str) -> ModelHeadShape {
 /// Colour of brown eyes, linear RGB.
 const BROWN: [f64; 3] = [0.15, 0.085, 0.042];
 
-/// Names of the bundled figures.
+/// Names of the bundled figures, accepted by [`preset`].
 pub const NAMES: [&str; 6] = ["sofia", "papous", "nuno", "amara", "kenji", "lia"];
 
 /// Returns the parameters of a named figure; `None` for an unknown name. Known: [`NAMES`].

@@ -41,7 +41,7 @@ const FOLLOWS_M: [f64; 2] = [0.006, 0.015];
 /// Skin of a head without colours, linear RGB.
 const SKIN: [f64; 3] = [0.50, 0.29, 0.21];
 
-/// Our head, bent and laid on the other.
+/// Generated head, bent and laid onto an imported head mesh that is to be rigged.
 pub(super) struct FittedHead {
     made: Mannequin,
     /// Generated skin and mouth cavity before and after fitting, world, metres.
@@ -111,7 +111,7 @@ pub(super) fn fit_head(made: Mannequin, warp: Warp, theirs: &Surface) -> FittedH
     }
 }
 
-/// The borders of our lips in the middle.
+/// Returns the midpoints of the upper and the lower lip border of the generated head.
 fn lips(made: &Mannequin) -> [DVec3; 2] {
     let skin = &made.head_parts[0];
     ["ls", "li"].map(|name| {
@@ -165,7 +165,7 @@ impl FittedHead {
         corners.map(|(&v, share)| moved(v) * share).sum()
     }
 
-    /// The figure of the other head.
+    /// Builds the figure of the imported head.
     pub(super) fn figure(
         mut self,
         scan: &Scan,
@@ -234,7 +234,7 @@ impl FittedHead {
         }
     }
 
-    /// The tissue of our own head as it was before.
+    /// Returns the tissue of the generated head before fitting.
     fn reference(&self, params: &FigureParams) -> Tissue {
         let built = build_face(params);
         built.figure.tissue.clone().unwrap_or_else(|| {
@@ -242,7 +242,8 @@ impl FittedHead {
         })
     }
 
-    /// The other's mesh with shares of joints and nodes.
+    /// Builds the skin part of the imported mesh, with the joint weights and node weights of the
+    /// fitted head.
     fn skin(&self, scan: &Scan, theirs: &Surface) -> MeshPart {
         let normals = vertex_normals(&theirs.points, &scan.faces);
         let mut part = MeshPart {
@@ -377,7 +378,7 @@ impl FittedHead {
         part
     }
 
-    /// Our tissue on the other head.
+    /// Moves the tissue of the generated head onto the imported head.
     fn tissue(&self, mut ours: Tissue, hinge: DVec3, middle: DVec3) -> Tissue {
         let wide = |p: [f32; 3]| DVec3::from_array(p.map(f64::from));
         let narrow = |p: DVec3| p.to_array().map(|x| x as f32);

@@ -24,7 +24,7 @@ use super::similarity::Similarity;
 use super::surface::Surface;
 use super::tissue::Warp;
 
-/// Landmarks that every head must have.
+/// Names of the landmarks that an imported head must provide.
 pub const NEEDED: [&str; 14] = [
     "n", "prn", "sn", "ls", "li", "gn", "en_l", "en_r", "ex_l", "ex_r", "ch_l", "ch_r", "zy_l",
     "zy_r",
@@ -32,7 +32,7 @@ pub const NEEDED: [&str; 14] = [
 /// Search distance from the deformed head to the surface of the other, metres.
 const REACH_M: f64 = 0.012;
 
-/// Error returned when a head cannot be rigged.
+/// Error returned when an imported head cannot be rigged.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RigError {
@@ -56,7 +56,7 @@ pub enum RigError {
 /// larger one means swapped left and right, or a wrong vertex number.
 const ASTRAY_MM: f64 = 45.0;
 
-/// Landmarks of a head: positions by name, in the mesh's own units and axes.
+/// Landmarks of an imported head: positions by name, in the mesh's own units and axes.
 pub type Landmarks = BTreeMap<String, DVec3>;
 
 /// Rigs a head. The figure contains only the head, on the skeleton of `params`, at the size of its

@@ -14,7 +14,7 @@ use crate::hand::HandSheet;
 use crate::head::HeadSheet;
 use raconteur_body::figure::{Image, WRINKLE_HEIGHT_M};
 
-/// A piece of surface in the atlas.
+/// Piece of surface in the skin atlas (head or hand), as input of the baking.
 pub(super) struct Layer<'a> {
     pub(super) uv: &'a [[f64; 2]],
     pub(super) triangles: &'a [[u32; 3]],
@@ -24,7 +24,7 @@ pub(super) struct Layer<'a> {
     pub(super) tissue: &'a (dyn Fn([u32; 3], &Hit) -> Tissue + Sync),
 }
 
-/// Colour, normals and expressive wrinkles of a person's skin.
+/// Baked texture maps of a person's skin: colour, normals and expressive wrinkles.
 #[derive(Clone, Debug)]
 pub(crate) struct SkinMaps {
     /// sRGB.
@@ -92,14 +92,14 @@ pub(crate) fn bake(
     }
 }
 
-/// The heights of wrinkles, mm, as the map has them.
+/// Encodes wrinkle heights, mm, as the bytes of the wrinkle map.
 fn heights(folds_mm: &[[f32; 3]]) -> Vec<u8> {
     const STEPS: f32 = 127.0 / (WRINKLE_HEIGHT_M * 1000.0);
     let step = |mm: &f32| (128.0 + STEPS * mm).round().clamp(0.0, 255.0) as u8;
     folds_mm.iter().flatten().map(step).collect()
 }
 
-/// The maps before they are encoded: linear RGB, unit normals, heights in millimetres.
+/// Baked maps before they are encoded: linear RGB, unit normals, heights in millimetres.
 pub(super) struct Pictures {
     pub(super) colour: Vec<[f32; 3]>,
     pub(super) normal: Vec<[f32; 3]>,
@@ -196,8 +196,8 @@ pub(super) fn evaluate(layers: &[Layer<'_>]) -> Pictures {
     }
 }
 
-/// Normal in the triangle's tangent frame, from the change of height by texel right and
-/// down, mm.
+/// Returns the normal in the triangle's tangent frame, from the change of height per texel to the
+/// right and down, mm.
 fn tilt(layer: &Layer<'_>, t: [u32; 3], change: DVec2) -> [f64; 3] {
     let [a, b, c] = t.map(|v| layer.at[v as usize]);
     let [ua, ub, uc] = t.map(|v| DVec2::from_array(layer.uv[v as usize]) * SIZE as f64);
@@ -231,7 +231,7 @@ fn tilt(layer: &Layer<'_>, t: [u32; 3], change: DVec2) -> [f64; 3] {
         .to_array()
 }
 
-/// Linear 0..1 to sRGB in 255ths.
+/// Converts a linear value 0..1 to an sRGB byte.
 fn srgb(x: f32) -> u8 {
     (255.0 * linear_to_srgb(f64::from(x.clamp(0.0, 1.0)))).round() as u8
 }

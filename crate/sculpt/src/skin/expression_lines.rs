@@ -19,12 +19,12 @@ const FIRST: u64 = 100_000;
 
 /// Skin that the mentalis dimples: middle and radii on the mean head, mm.
 const CHIN: [DVec3; 2] = [DVec3::new(0.0, -79.0, 98.0), DVec3::new(20.0, 13.0, 18.0)];
-/// Least depth of the folds of the nose, mm.
+/// Minimum depth of the folds of the nose, mm.
 const MIN_NOSE_MM: f64 = 0.26;
 /// Size of its dimples, mm.
 const DIMPLES_MM: f64 = 2.7;
 
-/// The expressive wrinkles of a face. Strengths are depths in mm.
+/// Expressive wrinkles of a face, which appear when muscles contract. Strengths are depths in mm.
 pub(super) struct ExpressionMarks {
     kinds: [Marks; 3],
     /// Depth of the dimples of the chin, mm.
@@ -85,8 +85,8 @@ impl ExpressionMarks {
     }
 }
 
-/// A fold: as a line that stays, but calm and whole, for the skin between folds is in one
-/// piece.
+/// Draws an expressive fold: like a permanent line, but smooth and unbroken, because the skin
+/// between folds stays in one piece.
 fn fold(scribe: &mut Scribe<'_>, side: Side, through: &[DVec3], strength: f64, width: f64) {
     scribe.draw(
         side,
@@ -139,7 +139,7 @@ fn forehead(scribe: &mut Scribe<'_>, deep: f64) {
     }
 }
 
-/// Upright between the brows.
+/// Draws the upright fold between the brows (glabella).
 fn glabella(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     let (a, b) = (scribe.between(1.0, 1.2), scribe.between(1.25, 1.45));
     let top = scribe.between(3.1, 3.4);
@@ -237,7 +237,8 @@ fn nose_root(scribe: &mut Scribe<'_>, deep: f64) {
     }
 }
 
-/// From the bridge over the flank of the nose, down and outwards.
+/// Draws the folds that run from the bridge over the side of the nose, down and outwards ("bunny
+/// lines").
 fn bunny(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     for i in 0..3 {
         let row = 7.5 + 0.8 * f64::from(i) + scribe.between(-0.12, 0.12);

@@ -74,7 +74,7 @@ const HOLLOWS: [([f64; 3], [f64; 3], f64); 2] = [
 /// Lash roots and liner.
 const LASH: [f64; 3] = [0.055, 0.032, 0.026];
 
-/// A face that is about to be painted.
+/// Painter of a face's skin: marks, wrinkles and zones of a head.
 pub(super) struct FacePainter<'a> {
     skin: &'a SkinParams,
     sheet: &'a HeadSheet,
@@ -117,11 +117,11 @@ impl HeadSheet {
 
 /// Position of a texel in all frames of reference.
 struct TexelFrames {
-    /// On the mean head, millimetres.
+    /// Position on the mean head, millimetres.
     on_mean: DVec3,
-    /// On this head, millimetres.
+    /// Position on this head, millimetres.
     on_own: DVec3,
-    /// Of this head's skin.
+    /// Normal of this head's skin.
     normal: DVec3,
 }
 

@@ -11,7 +11,8 @@ use super::marks::{Marks, Pen};
 use crate::head::{HeadSheet, Places};
 use crate::texture::{rise, space_noise};
 
-/// Marks painted on a face. Strengths: wrinkles in mm of depth, the others 0..1.
+/// Marks painted on a face: wrinkles, freckles, spots, moles, vessels. Wrinkle strengths are depths
+/// in mm, the others 0..1.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FaceMarks {
     pub(super) wrinkles: Marks,
@@ -21,7 +22,7 @@ pub(super) struct FaceMarks {
     pub(super) vessels: Marks,
 }
 
-/// Draws with seeded chance.
+/// Generator of skin marks that varies each line with a seeded random number.
 pub(super) struct Scribe<'a> {
     pub(super) places: &'a Places,
     pub(super) skin: &'a SkinParams,
@@ -46,7 +47,7 @@ impl<'a> Scribe<'a> {
         core::mem::take(&mut self.marks).finish()
     }
 
-    /// A number 0..1 that differs for each line and each use.
+    /// Returns a random number 0..1, different for each call.
     pub(super) fn chance(&mut self) -> f64 {
         self.drawn += 1;
         noise::unit(self.skin.seed, 0x77A1, self.drawn as i64)
@@ -56,7 +57,7 @@ impl<'a> Scribe<'a> {
         a + (b - a) * self.chance()
     }
 
-    /// A line on one side.
+    /// Draws a line through points on one side of the face.
     fn line(&mut self, side: Side, through: &[DVec3], strength: f64, width: f64, broken: f64) {
         self.draw(
             side,
@@ -93,7 +94,8 @@ impl<'a> Scribe<'a> {
         if column < 0.0 { mirror_vector(p) } else { p }
     }
 
-    /// A line across both halves along a row, between two columns, with its own bend.
+    /// Draws a line across both halves of the face along a row, between two columns, with its own
+    /// bend.
     fn across(&mut self, row: f64, [from, to]: [f64; 2], bend: f64, strength: f64, width: f64) {
         let (a, b) = (self.between(-0.1, 0.1), self.between(0.6, 1.4));
         let through: Vec<DVec3> = (0..=12)
@@ -181,7 +183,7 @@ impl<'a> Scribe<'a> {
         }
     }
 
-    /// Fine lines along both lids and the crossing net below the eye.
+    /// Draws fine lines along both lids and the crossing net below the eye.
     fn lids(&mut self, side: Side) {
         let age = self.skin.since(26.0);
         for i in 0..9 {
@@ -297,7 +299,7 @@ impl<'a> Scribe<'a> {
         }
     }
 
-    /// Long fine lines over the cheek and in front of the ear.
+    /// Draws long fine lines over the cheek and in front of the ear.
     fn cheeks(&mut self, side: Side) {
         let deep = 0.36 * self.skin.since(52.0);
         for i in 0..8 {
@@ -350,7 +352,7 @@ impl<'a> Scribe<'a> {
         }
     }
 
-    /// Widened vessels: short crooked threads over cheeks and the wings of the nose.
+    /// Draws widened vessels: short crooked threads over the cheeks and the wings of the nose.
     fn vessels(&mut self) {
         let amount = self.skin.vessels;
         let count = (150.0 * amount) as usize;
@@ -400,7 +402,7 @@ fn scatter(
     }
 }
 
-/// All marks of a face.
+/// Generates all marks of a face from its skin parameters.
 pub(super) fn face_marks(skin: &SkinParams, places: &Places, sheet: &HeadSheet) -> FaceMarks {
     let mut scribe = Scribe::new(places, skin, 0);
     scribe.forehead();

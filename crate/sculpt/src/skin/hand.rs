@@ -15,7 +15,7 @@ impl HandRegion {
     }
 }
 
-/// A hand that is about to be painted.
+/// Painter of a hand's skin: creases, veins, spots and regions.
 pub(super) struct HandPainter<'a> {
     skin: &'a SkinParams,
     sheet: &'a HandSheet,

@@ -23,7 +23,7 @@ const REACH: f64 = 3.2;
 /// Strokes further than this along the surface's normal are on another fold of the skin, mm.
 const DEPTH_MM: f64 = 5.0;
 
-/// Effect of marks at a position.
+/// Effect of skin marks at a position: the mark itself and the raised bank next to it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct MarkCoverage {
     /// The strongest mark, its strength times exp(−(distance / width)²).
@@ -32,7 +32,7 @@ pub(crate) struct MarkCoverage {
     pub(crate) bank: f64,
 }
 
-/// Style of a line.
+/// Drawing style of a mark's line: strength, width and irregularity.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pen {
     /// Strength in the middle of the line.
@@ -49,7 +49,7 @@ pub(crate) struct Pen {
     pub(crate) seed: u64,
 }
 
-/// A set of marks.
+/// Set of skin marks with a spatial grid, for fast lookup by position.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Marks {
     strokes: Vec<Stroke>,

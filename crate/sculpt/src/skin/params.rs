@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::pigment::{Pigments, colour};
 
-/// Skin of a person. Shares are 0..1 unless said otherwise.
+/// Skin of a person: pigment, blood, age and marks. Shares are 0..1 unless specified otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SkinParams {
@@ -17,7 +17,7 @@ pub struct SkinParams {
     pub contrast: f64,
     /// Years: lines, spots and loss of evenness follow.
     pub age_years: f64,
-    /// Freckles.
+    /// Amount of freckles, 0..1.
     pub freckles: f64,
     /// Number of moles on face and neck.
     pub moles: u32,
@@ -40,7 +40,7 @@ pub struct SkinParams {
 }
 
 impl SkinParams {
-    /// An even, light-brown adult skin without marks.
+    /// Returns an even, light-brown adult skin without marks.
     #[must_use]
     pub fn plain() -> Self {
         Self {
@@ -61,15 +61,15 @@ impl SkinParams {
         }
     }
 
-    /// Natural logarithm of the volume fraction of melanosomes: 1 % at melanin 0, 43 % at 1
-    /// (Jacques 1998: 1.3–43 %; *paper*).
+    /// Returns the natural logarithm of the volume fraction of melanosomes: 1 % at melanin 0, 43 %
+    /// at 1 (Jacques 1998: 1.3–43 %; *paper*).
     pub(crate) fn ln_melanosomes(&self) -> f64 {
         ops::ln(0.01) + ops::ln(43.0) * self.melanin.clamp(0.0, 1.0)
     }
 
-    /// Natural logarithm of the volume fraction of blood: 0.3 % to 3 % (Jacques 2013:
-    /// 0.2–0.6 % averaged over the dermis, several times that in the face's plexus;
-    /// *designed* within it).
+    /// Returns the natural logarithm of the volume fraction of blood: 0.3 % to 3 % (Jacques 2013:
+    /// 0.2–0.6 % averaged over the dermis, several times that in the face's plexus; *designed*
+    /// within it).
     pub(crate) fn ln_blood(&self) -> f64 {
         ops::ln(0.003) + ops::ln(10.0) * self.blood.clamp(0.0, 1.0)
     }
@@ -80,7 +80,7 @@ impl SkinParams {
         ops::pow(t, 1.15)
     }
 
-    /// Linear RGB of the skin without its zones: the side of the cheek.
+    /// Returns the linear RGB of the skin without its zones: the colour at the side of the cheek.
     #[must_use]
     pub fn base_colour(&self) -> [f64; 3] {
         colour(&Pigments {

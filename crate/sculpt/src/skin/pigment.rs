@@ -11,7 +11,7 @@
 
 use raconteur_base::ops;
 
-/// Pigment composition of a piece of skin.
+/// Pigment composition of a piece of skin, from which [`colour`] computes its colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pigments {
     /// Volume fraction of melanosomes in the epidermis; 0.013–0.06 light, 0.11–0.16
@@ -60,7 +60,8 @@ const EPIDERMIS_CM: f64 = 0.006;
 /// it no blue would be reflected, and dark skin would be orange.
 const MELANOSOME_SCATTERING: f64 = 57.0;
 
-/// Diffuse reflectance at a wavelength in nm, 0..1. `band` is the index into the spectra.
+/// Returns the diffuse reflectance in a band of the spectrum, 0..1. `band` is the index into the
+/// spectra.
 fn reflectance_in(band: usize, skin: &Pigments) -> f64 {
     let nm = FIRST_NM + STEP_NM * band as f64;
     let [oxygenated, deoxygenated, _] = SPECTRA[band];
@@ -86,7 +87,8 @@ fn reflectance_in(band: usize, skin: &Pigments) -> f64 {
     passed + back / (2.0 * lost) * (1.0 - ops::exp(-2.0 * lost * EPIDERMIS_CM))
 }
 
-/// CIE 1931 matching functions (Wyman, Sloan and Shirley 2013, multi-lobe fit).
+/// Returns the CIE 1931 colour-matching functions at a wavelength in nm (Wyman, Sloan and Shirley
+/// 2013, multi-lobe fit).
 fn matching(nm: f64) -> [f64; 3] {
     let lobe = |height: f64, centre: f64, low: f64, high: f64| {
         let t = (nm - centre) * if nm < centre { low } else { high };
@@ -119,7 +121,7 @@ fn rgb_of(reflectance: impl Fn(usize) -> f64) -> [f64; 3] {
     RGB_FROM_XYZ.map(|row| row.iter().zip(xyz).map(|(a, b)| a * b).sum())
 }
 
-/// Linear RGB of skin under white light, each 0..1.
+/// Returns the linear RGB of skin under white light, each 0..1.
 #[must_use]
 pub fn colour(skin: &Pigments) -> [f64; 3] {
     let white = rgb_of(|_| 1.0);
@@ -138,7 +140,7 @@ const BLOOD_RANGE: [f64; 2] = [0.0006, 0.2];
 const OXYGEN_STEPS: usize = 8;
 const OXYGEN_RANGE: [f64; 2] = [0.3, 1.0];
 
-/// [`colour`] by table, for a million texels.
+/// Lookup table of [`colour`], fast enough for a million texels.
 #[derive(Clone, Debug)]
 pub struct Palette {
     table: Vec<[f32; 3]>,
@@ -147,7 +149,7 @@ pub struct Palette {
 }
 
 impl Palette {
-    /// Fills the table.
+    /// Computes the entries of the table.
     #[must_use]
     pub fn new() -> Self {
         let logs = |r: [f64; 2]| r.map(ops::ln);

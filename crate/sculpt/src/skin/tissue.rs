@@ -5,7 +5,7 @@ use super::params::OXYGEN;
 use super::pigment::Palette;
 use crate::texture::mix;
 
-/// Skin at a texel.
+/// Composition and relief of the skin at one texel: pigments, blood, height.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tissue {
     /// Natural logarithms of the volume fractions.

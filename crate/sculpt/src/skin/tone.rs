@@ -8,7 +8,8 @@ use crate::atlas::Hit;
 use crate::head::{HeadParams, HeadSheet, bare_sheet};
 use crate::person::Person;
 
-/// The head on which tones are laid out, the same for all.
+/// Computes the skin tone per vertex for a look. The tones are laid out on one head, the same for
+/// all.
 pub struct Tones {
     sheet: HeadSheet,
     palette: Palette,
@@ -28,7 +29,7 @@ const PLACES: [[f32; 3]; 3] = [
 const DARKEST: f64 = 1e-3;
 
 impl Tones {
-    /// On the head of a person.
+    /// Prepares the layout of tones on the head of a person.
     #[must_use]
     pub fn new(person: &Person, head: &HeadParams) -> Self {
         let (sheet, used) = bare_sheet(person, head);

@@ -25,7 +25,7 @@ const OUT_M: f64 = 0.008;
 const CLEAR_M: f64 = 0.012;
 /// Points of the surface that a further sphere must gain.
 const MIN_GAIN: usize = 3;
-/// As made, and with the arms hanging, level and raised.
+/// Number of sampled poses: the bind pose, and arms hanging, level and raised.
 const POSES: usize = 4;
 /// Directions of the left arm in all poses but the first.
 const ARMS: [DVec3; POSES - 1] = [
@@ -42,24 +42,24 @@ const HEAD_TURN: f64 = 0.9;
 /// Surface point that chains may touch.
 #[derive(Clone, Copy)]
 struct Point {
-    /// In each pose.
+    /// Position in each sampled pose, world.
     at: [DVec3; POSES],
     normal: [DVec3; POSES],
     /// The joints that carry most of it, the first more than the second.
     joints: [usize; 2],
 }
 
-/// A sphere that rides on a joint.
+/// Collision sphere that moves with a joint; hair must stay outside it.
 #[derive(Clone, Copy)]
 pub(super) struct Ball {
-    /// In each pose.
+    /// Centre in each sampled pose, world.
     middle: [DVec3; POSES],
     pub(super) radius: f64,
     pub(super) joint: usize,
 }
 
 impl Ball {
-    /// Its middle in the bind pose, world.
+    /// Returns the centre in the bind pose, world.
     pub(super) fn bound(&self) -> DVec3 {
         self.middle[0]
     }
@@ -99,7 +99,7 @@ pub(super) fn inside(figure: &Figure, chains: &[DVec3]) -> Vec<Ball> {
     chosen(&balls, &near)
 }
 
-/// World from world of the bind pose, for each pose and joint.
+/// Returns the transforms from the bind pose to each sampled pose, world, for each joint.
 fn poses(figure: &Figure) -> [Vec<DAffine3>; POSES] {
     let bind = posed::bind_pose(figure);
     core::array::from_fn(|i| {
@@ -218,7 +218,7 @@ fn ball(
     }
 }
 
-/// Those that each gain most.
+/// Selects the balls that each cover the most remaining points.
 fn chosen(balls: &[Ball], near: &[(usize, Point)]) -> Vec<Ball> {
     let held: Vec<Vec<usize>> = balls
         .iter()

@@ -17,16 +17,16 @@ const FOREARM: f64 = 0.024;
 const MAX_CLEAR_M: f64 = 0.05;
 const PLAY_M: f64 = 0.0005;
 
-/// Parameters of a hanging, swinging chain.
+/// Parameters of a hanging, swinging chain of joints in the hair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HairChain {
     /// Joints from the root, then the end; metres.
     pub points: Vec<DVec3>,
-    /// As in [`Link`](raconteur_body::springs::Link).
+    /// Stiffness, defined as in [`Link`](raconteur_body::springs::Link).
     pub stiffness: f64,
     /// Downwards; as in [`Link`](raconteur_body::springs::Link).
     pub gravity: f64,
-    /// As in [`Link`](raconteur_body::springs::Link).
+    /// Drag, defined as in [`Link`](raconteur_body::springs::Link).
     pub drag: f64,
 }
 
@@ -54,7 +54,7 @@ pub(super) fn hang(chains: &[HairChain], skeleton: &mut Skeleton, frames: &[DAff
     }
 }
 
-/// The springs of a figure whose chains have been hung.
+/// Builds the springs of a figure whose chains have been attached.
 pub(super) fn build_springs(figure: &Figure, chains: &[HairChain]) -> Springs {
     let all: Vec<DVec3> = chains.iter().flat_map(|c| c.points.clone()).collect();
     if all.is_empty() {

@@ -24,7 +24,7 @@ const ABOUT_AS_NEAR_M: f64 = 1e-4;
 /// Weight below which attachments are dropped.
 const MIN_HOLD: f64 = 0.02;
 
-/// The skin's nodes in the world, and the bones under them.
+/// Nodes of the skin in the world, with their depths to the bones beneath.
 pub(super) struct Skin {
     pub(super) places: Vec<DVec3>,
     pub(super) normals: Vec<DVec3>,
@@ -173,7 +173,7 @@ pub(super) fn push(
     first
 }
 
-/// A head that muscles are fitted to.
+/// Head to which muscles are fitted: its skin, and the map from the mean head.
 pub(super) struct Site<'a> {
     pub(super) soft: &'a Soft,
     pub(super) skin: &'a Skin,
@@ -212,7 +212,7 @@ pub(super) fn sheet(
 }
 
 impl Site<'_> {
-    /// A linear fibre, from the bone to under the skin.
+    /// Returns the points of a linear fibre, from the bone to a depth under the skin.
     fn along(&self, line: &[DVec3]) -> Vec<FibrePoint> {
         let sunk = |(k, p)| {
             let t = k as f64 / (POINTS - 1) as f64;
@@ -225,7 +225,7 @@ impl Site<'_> {
             .collect()
     }
 
-    /// A closed one, all of it in the skin.
+    /// Returns the points of a closed fibre, which lies entirely in the skin.
     fn around(&self, line: &[DVec3]) -> Vec<FibrePoint> {
         let sunk = |p: &DVec3| self.skin.sunk(self.soft, *p, 0.4);
         line.iter().chain(line.first()).map(sunk).collect()

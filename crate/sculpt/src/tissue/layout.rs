@@ -19,24 +19,24 @@ type Place = [f64; 3];
 /// Direction of the fibres of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Runs {
-    /// Each from its origin over points between to where it ends in the skin.
+    /// Each fibre runs from its origin over intermediate points to its end in the skin.
     Linear,
     /// Along a curve, and towards a point.
     Towards(Place),
 }
 
-/// Skin that a sheet moves.
+/// Area of skin that a sheet of muscle moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Moves {
-    /// That of the face.
+    /// Skin of the face.
     Face,
-    /// That at the side of the head, from the scalp to the jaw's angle.
+    /// Skin at the side of the head, from the scalp to the jaw's angle.
     Aside,
     /// The same and the ear, which follows the fibre's end as a whole.
     Ear,
 }
 
-/// A sheet of fibres of one muscle.
+/// Sheet of fibres of one muscle in the layout on the mean head.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sheet {
     /// Sides of the sheet and its muscle on each. In the middle of the face it has only the left
@@ -141,7 +141,7 @@ fn row(line: &str, anatomy: &Anatomy) -> Result<Sheet, String> {
     })
 }
 
-/// As many finite numbers as there should be.
+/// Parses exactly `N` finite numbers separated by a character.
 fn numbers<const N: usize>(text: &str, between: char) -> Result<[f64; N], String> {
     let number = |part: &str| part.parse().ok().filter(|x: &f64| x.is_finite());
     let all: Option<Vec<f64>> = text.split(between).map(number).collect();

@@ -26,7 +26,7 @@ fn narrow(p: DVec3) -> [f32; 3] {
     p.to_array().map(|x| x as f32)
 }
 
-/// 0 below `low`, 1 above `high`, smooth between.
+/// Returns a smooth step: 0 below `low`, 1 above `high`.
 fn ramp(low: f64, high: f64, x: f64) -> f64 {
     raconteur_base::curve::smooth((x - low) / (high - low))
 }
@@ -54,7 +54,7 @@ pub(crate) fn tissue(
     with(&layout::shipped(), soft, place, bones, rigid, hinge)
 }
 
-/// The tissue of a head with these muscles.
+/// Builds the tissue of a head with the muscles of the given sheets.
 fn with(
     sheets: &[Sheet],
     soft: &Soft,

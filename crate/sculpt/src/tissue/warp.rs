@@ -6,14 +6,14 @@ use faer::linalg::solvers::Solve as _;
 use raconteur_base::DVec3;
 
 /// Map of space that takes landmarks to landmarks: an affine part and a sum of biharmonic kernels,
-/// which in 3D are plain distances.
+/// which in 3D are plain distances. It transfers layouts between heads.
 pub(crate) struct Warp {
     at: Vec<DVec3>,
     weights: Vec<DVec3>,
     affine: [DVec3; 4],
 }
 
-/// Two landmarks nearer than this count as one, mm.
+/// Distance below which two landmarks count as one, mm.
 const SAME_MM: f64 = 0.5;
 
 impl Warp {

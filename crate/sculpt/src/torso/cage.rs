@@ -29,9 +29,9 @@ const ROWS: [f64; 25] = [
 const CHILD_DROP: f64 = 0.0185;
 /// Columns of the trunk; 0 is the front, 6 the left side, 12 the back.
 pub const COLUMNS: usize = 24;
-/// Rows of the armhole.
+/// First and last trunk row of the armhole.
 pub const HOLE: (usize, usize) = (16, 20);
-/// Points of a limb's ring.
+/// Number of points in a ring of a limb.
 pub const RING: usize = 16;
 /// Rings of the arm: 0 shoulder, 1 elbow, 2 wrist.
 const ARM_RINGS: [f64; 24] = [
@@ -44,12 +44,12 @@ const LEG_RINGS: [f64; 20] = [
     1.80, 1.88, 1.95, 2.03,
 ];
 
-/// Position of a cage vertex in the rings.
+/// Position of a cage vertex in the rings of trunk, arms and legs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Key {
     /// Row and column; column 0 is the front, 6 the left side, 12 the back.
     Trunk(usize, usize),
-    /// On the midline between the legs, from the front.
+    /// Point on the midline between the legs, counted from the front.
     Crotch(usize),
     /// Ring and its point: 0 up, 4 front, 8 down, 12 back.
     Arm(Side, usize, usize),
@@ -99,23 +99,23 @@ impl Key {
     }
 }
 
-/// Ring of a face.
+/// Ring to which a face of the body's cage belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tag {
     /// Between a trunk row and the next.
     Trunk(usize),
-    /// Before an arm's ring.
+    /// Face that ends at this ring of an arm.
     Arm(usize),
-    /// Before a leg's ring.
+    /// Face that ends at this ring of a leg.
     Leg(usize),
 }
 
-/// The wrapped cage.
+/// Cage (coarse control mesh) of a body, wrapped onto its distance field.
 #[derive(Clone, Debug)]
 pub struct Cage {
     /// Points, weights and quads of the cage.
     pub shell: Shell,
-    /// One tag for each face.
+    /// Tag of each face.
     pub tags: Vec<Tag>,
     /// Key of each point.
     pub keys: Vec<Key>,
@@ -141,7 +141,8 @@ impl Template {
     }
 }
 
-/// Row and column of the armhole's points, in the order of an arm's ring (up, front, down, back).
+/// Returns row and column of the armhole's points, in the order of an arm's ring (up, front, down,
+/// back).
 #[must_use]
 pub fn armhole() -> [(usize, usize); RING] {
     let (low, high) = HOLE;
@@ -202,14 +203,14 @@ impl Cage {
         self.shell.select(|f| keep(self.tags[f]))
     }
 
-    /// Height of a trunk row, metres.
+    /// Returns the height of a trunk row, metres.
     #[must_use]
     pub fn row_height(&self, row: usize) -> f64 {
         self.heights[row]
     }
 
-    /// The first trunk row at or above a share of an adult's stature; a child's row is
-    /// the same part of the body.
+    /// Returns the first trunk row at or above a share of an adult's stature; a child's row is the
+    /// same part of the body.
     #[must_use]
     pub fn row_at(share: f64) -> usize {
         ROWS.iter()
@@ -217,13 +218,13 @@ impl Cage {
             .unwrap_or(ROWS.len() - 1)
     }
 
-    /// The last ring of an arm at or before a parameter (1 elbow, 2 wrist).
+    /// Returns the last ring of an arm at or before a parameter (1 elbow, 2 wrist).
     #[must_use]
     pub fn arm_ring_at(t: f64) -> usize {
         ARM_RINGS.iter().rposition(|s| *s <= t).unwrap_or(0)
     }
 
-    /// The last ring of a leg at or before a parameter (1 knee, 2 ankle).
+    /// Returns the last ring of a leg at or before a parameter (1 knee, 2 ankle).
     #[must_use]
     pub fn leg_ring_at(t: f64) -> usize {
         LEG_RINGS.iter().rposition(|s| *s <= t).unwrap_or(0)
@@ -236,7 +237,7 @@ impl Cage {
     }
 }
 
-/// Direction in the armhole's plane that points up along the shoulder.
+/// Returns two directions in the armhole's frame: outwards, and up along the shoulder.
 fn armhole_up() -> (DVec3, DVec3) {
     let a = 14f64.to_radians();
     let outwards = DVec3::new(ops::cos(a), -ops::sin(a), 0.0);

@@ -10,7 +10,7 @@ use super::section::Sections;
 use super::shape::{BodyParams, CM, Joints};
 use raconteur_body::skeleton::Bone;
 
-/// Set of regions included in an evaluation.
+/// Set of body regions that an evaluation of a [`Field`] includes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Regions(u8);
 
@@ -19,16 +19,16 @@ impl Regions {
     const ARM: u8 = 2;
     const LEG: u8 = 4;
     const NECK: u8 = 8;
-    /// The whole body.
+    /// Set of all regions: the whole body.
     pub const ALL: Self = Self(15);
-    /// Trunk, neck and arms.
+    /// Set of trunk, neck and arms.
     pub const UPPER: Self = Self(Self::TRUNK | Self::ARM | Self::NECK);
-    /// Trunk and legs.
+    /// Set of trunk and legs.
     pub const LOWER: Self = Self(Self::TRUNK | Self::LEG);
 
-    /// Only the trunk.
+    /// Set of the trunk only.
     pub const TRUNK_ONLY: Self = Self(Self::TRUNK);
-    /// Only the legs.
+    /// Set of the legs only.
     pub const LEG_ONLY: Self = Self(Self::LEG);
 
     fn has(self, bit: u8) -> bool {
@@ -49,7 +49,8 @@ struct Pad {
     turn: (f64, f64),
 }
 
-/// A straight limb of two segments with sections along it.
+/// Straight limb of two segments with cross-sections along its axis; solid of the body's distance
+/// field.
 #[derive(Clone, Debug)]
 pub(super) struct Limb {
     pub(super) origin: DVec3,
@@ -76,7 +77,8 @@ impl Limb {
         }
     }
 
-    /// Parameter (0 root, 1 middle joint, 2 end) of a distance along the axis.
+    /// Converts a distance along the axis, metres, to the parameter of the limb: 0 root, 1 middle
+    /// joint, 2 end.
     pub(super) fn parameter(&self, along_m: f64) -> f64 {
         if along_m < self.lengths[0] {
             along_m / self.lengths[0]
@@ -85,7 +87,7 @@ impl Limb {
         }
     }
 
-    /// Distance along the axis of a parameter.
+    /// Converts the parameter of the limb to the distance along its axis, metres.
     pub(super) fn along(&self, t: f64) -> f64 {
         if t < 1.0 {
             t * self.lengths[0]
@@ -130,7 +132,7 @@ fn smooth_min(a: f64, b: f64, k: f64) -> f64 {
     a.min(b) - h * h * k * 0.25
 }
 
-/// The neck's axis and radii.
+/// Axis and radii of the neck in the body's distance field.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Neck {
     pub(super) bottom_y: f64,
@@ -138,12 +140,12 @@ pub(super) struct Neck {
     bottom_z: f64,
     top_z: f64,
     pub(super) radius: f64,
-    /// Half its depth over its radius across: men's necks are deep.
+    /// Half the depth of the neck divided by its lateral radius: men's necks are deep.
     depth: f64,
 }
 
 impl Neck {
-    /// Centre of the neck's section at a height.
+    /// Returns the z coordinate of the neck's centre at a height, metres.
     pub(super) fn centre_z(&self, y: f64) -> f64 {
         lerp(self.bottom_z, self.top_z, self.share(y))
     }
@@ -153,7 +155,7 @@ impl Neck {
     }
 }
 
-/// The field of one body.
+/// Distance field of one body, from which its skin and its clothes are shaped.
 #[derive(Clone, Debug)]
 pub struct Field {
     pub(super) stature_m: f64,
@@ -167,7 +169,7 @@ pub struct Field {
 }
 
 impl Field {
-    /// The field for a body's measures and joints.
+    /// Creates the field from the measures and joints of a body.
     #[must_use]
     pub fn new(p: &BodyParams, joints: &Joints) -> Self {
         let s = p.stature_m;
@@ -239,14 +241,14 @@ impl Field {
         }
     }
 
-    /// Radius of the neck, metres.
+    /// Returns the lateral radius of the neck, metres.
     #[must_use]
     pub fn neck_radius(&self) -> f64 {
         self.neck.radius
     }
 
-    /// A point `off` metres outside the neck's own surface, at a height and an angle from
-    /// the front to the left.
+    /// Returns the point `off` metres outside the neck's own surface, at a height and at an angle
+    /// from the front towards the left.
     #[must_use]
     pub fn neck_point(&self, angle_rad: f64, y: f64, off: f64) -> DVec3 {
         let n = &self.neck;
@@ -255,7 +257,7 @@ impl Field {
         self.neck_centre(y) + out
     }
 
-    /// The neck's axis at a height.
+    /// Returns the centre of the neck at a height, world, metres.
     #[must_use]
     pub fn neck_centre(&self, y: f64) -> DVec3 {
         let n = &self.neck;
@@ -263,7 +265,8 @@ impl Field {
         DVec3::new(0.0, y, lerp(n.bottom_z, n.top_z, share))
     }
 
-    /// Approximate signed distance, metres.
+    /// Returns the approximate signed distance of a point from the selected regions, metres;
+    /// negative inside.
     #[must_use]
     pub fn value(&self, p: DVec3, regions: Regions, soften: f64) -> f64 {
         let p = DVec3::new(p.x.abs() + 1e-6, p.y, p.z);
@@ -320,7 +323,8 @@ impl Field {
         if below > 0.0 { side.max(below) } else { side }
     }
 
-    /// Value and outward unit normal; the value is divided by the gradient's length.
+    /// Returns the value and the outward unit normal; the value is divided by the gradient's
+    /// length.
     #[must_use]
     pub fn value_and_normal(&self, p: DVec3, regions: Regions, soften: f64) -> (f64, DVec3) {
         const E: f64 = 5e-4;

@@ -75,7 +75,7 @@ const LEG: Table<13> = [
     [2.05, 3.5, 3.5, 4.0, 4.2, 0.0],
 ];
 
-/// A table resampled at equal steps.
+/// Table of cross-sections along a limb or the trunk, resampled at equal steps.
 #[derive(Clone, Debug)]
 pub(super) struct Sections {
     first: f64,
@@ -84,12 +84,12 @@ pub(super) struct Sections {
 }
 
 impl Sections {
-    /// Parameter of the first row.
+    /// Returns the parameter of the first row.
     pub(super) fn first(&self) -> f64 {
         self.first
     }
 
-    /// Parameter of the last row.
+    /// Returns the parameter of the last row.
     pub(super) fn last(&self) -> f64 {
         self.last
     }
@@ -104,7 +104,8 @@ impl Sections {
         core::array::from_fn(|k| lerp(self.rows[i][k], self.rows[i + 1][k], f))
     }
 
-    /// Monotone cubic resampling (Fritsch and Carlson 1980, doi:10.1137/0717021).
+    /// Resamples a table by monotone cubic interpolation (Fritsch and Carlson 1980,
+    /// doi:10.1137/0717021).
     fn resample(table: &[[f64; 6]]) -> Self {
         const ROWS: usize = 96;
         let (first, last) = (table[0][0], table[table.len() - 1][0]);
@@ -147,7 +148,7 @@ impl Sections {
         Self::resample(&table)
     }
 
-    /// The same with the hollow between two parameters partly filled: cloth hangs from
+    /// Returns the sections with the hollow between two parameters partly filled: cloth hangs from
     /// the wider parts above and below. `share` 0 leaves it, 1 makes it straight.
     pub(super) fn bridged(&self, from: f64, to: f64, share: f64) -> Self {
         let (low, high) = (self.sample(from), self.sample(to));
@@ -184,7 +185,8 @@ fn scaled<const N: usize>(table: &Table<N>, s: f64) -> Table<N> {
     })
 }
 
-/// Slope of a column at a row: harmonic mean of its neighbours' secants, zero at turns.
+/// Returns the slope of a column at a row: harmonic mean of the secants to its neighbours, zero at
+/// extrema.
 fn slope(table: &[[f64; 6]], column: usize, row: usize) -> f64 {
     let secant =
         |i: usize| (table[i + 1][column] - table[i][column]) / (table[i + 1][0] - table[i][0]);

@@ -16,7 +16,7 @@ pub const CM: f64 = 0.01;
 /// and raised, so that both stretch the shoulder least.
 pub const ARMS_DOWN_RAD: f64 = 48.0 * core::f64::consts::PI / 180.0;
 
-/// Measures of a body.
+/// Measures of a body, from which its distance field and its joints are derived.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyParams {
     /// 0 male to 1 female proportions.
@@ -32,13 +32,13 @@ pub struct BodyParams {
 }
 
 impl BodyParams {
-    /// Stature against the 175 cm of most tables.
+    /// Returns the stature relative to the 175 cm for which most tables are given.
     pub(super) fn scale(&self) -> f64 {
         self.stature_m / 1.75
     }
 
-    /// 1 with the proportions of a child of nine, 0 with an adult's: growth of the limbs
-    /// and of the shoulders is over at about 17.
+    /// Returns 1 for the proportions of a child of nine to 0 for an adult's: growth of the limbs
+    /// and of the shoulders ends at about 17.
     #[must_use]
     pub fn child(&self) -> f64 {
         1.0 - smooth(ramp(9.0, 17.0, self.age_years))
@@ -63,29 +63,29 @@ impl BodyParams {
     }
 }
 
-/// Positions and orientations of the bones in the rest pose.
+/// Positions and orientations of the bones of a body in the rest pose.
 #[derive(Clone, Debug)]
 pub struct Joints {
     /// Origins in the world.
     pub positions: [DVec3; Bone::COUNT],
-    /// World from bone.
+    /// Rotations of the bones, world from bone.
     pub rotations: [DQuat; Bone::COUNT],
 }
 
 impl Joints {
-    /// Origin of a bone.
+    /// Returns the position of the origin of a bone, world, metres.
     #[must_use]
     pub fn position_of(&self, bone: Bone) -> DVec3 {
         self.positions[bone.index()]
     }
 
-    /// Along the left arm, away from the trunk.
+    /// Returns the unit direction along the left arm, away from the trunk.
     #[must_use]
     pub fn arm_axis() -> DVec3 {
         DVec3::new(ops::cos(ARMS_DOWN_RAD), -ops::sin(ARMS_DOWN_RAD), 0.0)
     }
 
-    /// Across the left arm, upwards.
+    /// Returns the unit direction across the left arm, upwards.
     #[must_use]
     pub fn arm_up() -> DVec3 {
         DVec3::new(ops::sin(ARMS_DOWN_RAD), ops::cos(ARMS_DOWN_RAD), 0.0)
@@ -150,7 +150,8 @@ impl Joints {
     }
 }
 
-/// World from bone in the rest pose: zero frames, arms turned down about the world's z.
+/// Returns the world rotations of the bones in the rest pose: zero frames, with the arms turned
+/// down about the world's z axis.
 #[must_use]
 pub fn rest_rotations() -> [DQuat; Bone::COUNT] {
     let zero = zero_frames();

@@ -8,10 +8,10 @@ use super::weights::Weights;
 use crate::subdivide::{Stencil, edge_faces, subdivide};
 use raconteur_base::surface::vertex_normals;
 
-/// Polygons with skinning weights.
+/// Surface of polygons with skinning weights; the form in which body and clothes are modelled.
 #[derive(Clone, Debug, Default)]
 pub struct Shell {
-    /// World positions, metres.
+    /// Point positions, world, metres.
     pub points: Vec<DVec3>,
     /// Skinning weights of each point.
     pub weights: Vec<Weights>,
@@ -20,7 +20,7 @@ pub struct Shell {
 }
 
 impl Shell {
-    /// Unit normals of the points.
+    /// Returns the unit normals of the points.
     #[must_use]
     pub fn normals(&self) -> Vec<DVec3> {
         vertex_normals(&self.points, &self.faces)
@@ -56,7 +56,8 @@ impl Shell {
         (out, renamed)
     }
 
-    /// Catmull–Clark, `levels` times, with the stencils for anything else that rides along.
+    /// Subdivides the shell `levels` times by the Catmull–Clark scheme; returns it with the
+    /// stencils for other values per vertex.
     #[must_use]
     pub fn subdivided(&self, levels: usize) -> (Self, Vec<Stencil>) {
         let fine = subdivide(&self.faces, self.points.len(), levels);
@@ -119,7 +120,7 @@ impl Shell {
         }
     }
 
-    /// Boundary loops, each in the direction of its faces' edges.
+    /// Returns the boundary loops, each in the direction of its faces' edges.
     #[must_use]
     pub fn loops(&self) -> Vec<Vec<u32>> {
         let mut directed: BTreeMap<(u32, u32), ()> = BTreeMap::new();
@@ -148,7 +149,7 @@ impl Shell {
         out
     }
 
-    /// Adds another shell's points and faces.
+    /// Appends the points and faces of another shell.
     pub fn append(&mut self, other: Self) {
         let base = self.points.len() as u32;
         self.points.extend(other.points);
@@ -161,7 +162,7 @@ impl Shell {
         );
     }
 
-    /// The mirror image on the sagittal plane.
+    /// Returns the mirror image in the sagittal plane.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         Self {

@@ -5,7 +5,7 @@ use raconteur_base::Side;
 use crate::part::JointRef;
 use raconteur_body::skeleton::{Bone, Drive};
 
-/// Joint in an order that does not depend on floating-point values.
+/// Joint of a skinning weight; its order does not depend on floating-point values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Rig {
     /// A bone of the table.
@@ -19,7 +19,7 @@ pub enum Rig {
 }
 
 impl Rig {
-    /// The joint as the parts name it.
+    /// Returns the joint as a reference for mesh parts.
     #[must_use]
     pub fn joint(self) -> JointRef {
         JointRef(match self {
@@ -46,24 +46,24 @@ impl Rig {
     }
 }
 
-/// Weights of one vertex, sorted by joint, summing to 1.
+/// Skinning weights of one vertex, sorted by joint, summing to 1.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Weights(Vec<(Rig, f64)>);
 
 impl Weights {
-    /// All weight on one joint.
+    /// Returns weights that assign everything to one joint.
     #[must_use]
     pub fn one(rig: Rig) -> Self {
         Self(vec![(rig, 1.0)])
     }
 
-    /// All weight on one bone.
+    /// Returns weights that assign everything to one bone.
     #[must_use]
     pub fn bone(bone: Bone) -> Self {
         Self::one(Rig::Bone(bone))
     }
 
-    /// A weighted sum.
+    /// Returns the weighted sum of several weights.
     #[must_use]
     pub fn mix<'a>(terms: impl Iterator<Item = (&'a Self, f64)>) -> Self {
         let mut all: Vec<(Rig, f64)> = terms
@@ -88,26 +88,26 @@ impl Weights {
         Self(out)
     }
 
-    /// Interpolates linearly: `s` = 0 gives self.
+    /// Interpolates linearly to `other`: `s` = 0 gives self, 1 gives `other`.
     #[must_use]
     pub fn lerp(&self, other: &Self, s: f64) -> Self {
         Self::mix([(self, 1.0 - s), (other, s)].into_iter())
     }
 
-    /// Joints with their weights, for a part's vertex.
+    /// Returns the joints with their weights, for a vertex of a mesh part.
     #[must_use]
     pub fn refs(&self) -> Vec<(JointRef, f64)> {
         self.0.iter().map(|&(r, w)| (r.joint(), w)).collect()
     }
 
-    /// Sum of the weights of a side's arm, from the shoulder down.
+    /// Returns the sum of the weights of one arm, from the shoulder down.
     #[must_use]
     pub fn arm(&self, side: Side) -> f64 {
         let (first, last) = (Bone::on(side, "shoulder"), Bone::on(side, "thumb2"));
         self.sum(|b| b >= first && b <= last)
     }
 
-    /// Sum of the weights of a side's leg, from the hip down.
+    /// Returns the sum of the weights of one leg, from the hip down.
     #[must_use]
     pub fn leg(&self, side: Side) -> f64 {
         let (first, last) = (Bone::on(side, "hip"), Bone::on(side, "metatarsal"));
@@ -122,7 +122,7 @@ impl Weights {
             .sum()
     }
 
-    /// The same on the other side.
+    /// Returns the same weights on the joints of the other side.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let mut out: Vec<_> = self.0.iter().map(|&(r, w)| (r.mirrored(), w)).collect();

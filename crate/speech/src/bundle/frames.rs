@@ -46,7 +46,7 @@ pub fn code_of_hz(hz: f64) -> u8 {
     }
 }
 
-/// The intensity of a code, decibels against full scale.
+/// Converts an intensity code to decibels relative to full scale.
 #[must_use]
 pub fn db_of_code(code: u8) -> f64 {
     MIN_DB + f64::from(code) / 2.0
@@ -67,7 +67,7 @@ pub fn code_of_db(db: f64) -> u8 {
 const BASE64: GeneralPurpose =
     GeneralPurpose::new(&STANDARD, NO_PAD.with_decode_allow_trailing_bits(true));
 
-/// Base64 without padding (RFC 4648, sections 3.2 and 4).
+/// Encodes bytes as base64 without padding (RFC 4648, sections 3.2 and 4).
 #[must_use]
 pub fn to_base64(bytes: &[u8]) -> String {
     BASE64.encode(bytes)

@@ -3,14 +3,16 @@
 use super::frames::{from_base64, secs};
 use super::{Accent, Emotion, Phrase, Sentence, SentenceKind, Syllable, Utterance};
 
-/// A syllable as it is written: label, first phone, phones, stress.
+/// Syllable in the bundle's JSON: label, first phone, number of phones, stress.
 pub(super) type SyllableRow = (String, usize, usize, u32);
-/// A phrase or a sentence: tone or mark, and words.
+/// Phrase or sentence in the bundle's JSON: boundary tone or punctuation mark, and number of words.
 pub(super) type WordsRow = (String, usize);
-/// An emotion: name, start, apex and end in milliseconds, activation, evaluation, power.
+/// Emotion in the bundle's JSON: name; start, apex and end in milliseconds; activation, evaluation,
+/// power.
 pub(super) type EmotionRow = (String, f64, f64, f64, f64, f64, f64);
 
-/// The optional members of an utterance.
+/// Optional prosodic members of an utterance in the bundle's JSON: syllables, phrases, sentences,
+/// emotions, F0 and intensity.
 pub(super) struct Melody {
     pub(super) syllables: Vec<SyllableRow>,
     pub(super) phrases: Vec<WordsRow>,

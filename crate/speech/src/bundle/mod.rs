@@ -18,16 +18,17 @@ use std::sync::Arc;
 
 use crate::phones::PhoneRow;
 
-/// The version this code reads and writes.
+/// Version of the bundle format that this code reads and writes.
 pub const VERSION: u32 = 2;
 
-/// Symbol of silence in every phone set.
+/// Phone symbol of silence in every phone set.
 pub const SILENCE: &str = "pau";
 
 /// The symbol of a recording between the words: the mouth is still.
 pub const SOUND: &str = "snd";
 
-/// The speech of a story, computed ahead.
+/// Speech bundle: the speech of a story, synthesised ahead of time, with the timing of its phones
+/// and words.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bundle {
     /// Voices that speak in it.
@@ -36,7 +37,7 @@ pub struct Bundle {
     pub utterances: Vec<Arc<Utterance>>,
 }
 
-/// A voice of an engine.
+/// Synthetic voice of an engine that speaks in a bundle.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Voice {
     /// Engine and version, for example `festival 2.5.0`.
@@ -64,7 +65,8 @@ impl Voice {
     }
 }
 
-/// One utterance.
+/// One utterance of a bundle: text, audio files, and the timing and prosody that drive mouth and
+/// gestures.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Utterance {
     /// The key by which a story finds it: a digest of the text, the voice and the emotion.
@@ -76,7 +78,7 @@ pub struct Utterance {
     pub source: Option<u64>,
     /// Index of its voice in [`Bundle::voices`].
     pub voice: usize,
-    /// The plain text.
+    /// Plain text of the utterance.
     pub text: String,
     /// Length of the sound, seconds.
     pub duration_secs: f64,
@@ -88,7 +90,7 @@ pub struct Utterance {
     pub text_starts: Vec<usize>,
     /// Phones in order; they tile [0, duration] without gaps.
     pub phones: Vec<Phone>,
-    /// Syllables in order.
+    /// Syllables in the order of speech.
     pub syllables: Vec<Syllable>,
     /// Pitch accents, by syllable.
     pub accents: Vec<Accent>,
@@ -101,11 +103,12 @@ pub struct Utterance {
     /// Fundamental frequency of the final sound, one code for each [`FRAME_SECS`]; see
     /// [`hz_of_code`].
     pub f0: Vec<u8>,
-    /// Its intensity, one code for each [`FRAME_SECS`]; see [`db_of_code`].
+    /// Intensity of the utterance, one code for each [`FRAME_SECS`]; [`db_of_code`] converts a code
+    /// to decibels.
     pub intensity: Vec<u8>,
 }
 
-/// One encoding of an utterance's sound.
+/// Audio file of an utterance in one encoding.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AudioFile {
     /// File name in the bundle's folder: letters, digits, `.`, `_`, `-` only.
@@ -116,19 +119,20 @@ pub struct AudioFile {
     pub digest: Option<FileDigest>,
 }
 
-/// Length and digest of a sound file, by which a baker recognises the sound of an utterance.
+/// Length and digest of an audio file, by which a baker (program that synthesises speech ahead of
+/// time) detects the audio of an utterance.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileDigest {
-    /// Its length in bytes.
+    /// Length of the file, bytes.
     pub bytes: u64,
     /// SHA-256 of its bytes (FIPS 180-4), 64 hexadecimal digits in small letters.
     pub sha256: String,
 }
 
-/// A spoken word.
+/// Spoken word with its time span.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Word {
-    /// As written, punctuation attached.
+    /// Word as written, with attached punctuation.
     pub text: String,
     /// Seconds from the start of the utterance.
     pub start_secs: f64,
@@ -138,7 +142,7 @@ pub struct Word {
     pub emphasized: bool,
 }
 
-/// One phone.
+/// Phone (speech sound) with its time span, which drives the mouth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Phone {
     /// Symbol in the voice's phone set; [`SILENCE`] is a pause.
@@ -154,7 +158,7 @@ pub struct Phone {
     pub word: Option<usize>,
 }
 
-/// One syllable.
+/// Syllable as a run of phones, with its stress.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Syllable {
     /// Index of its first phone.
@@ -165,7 +169,7 @@ pub struct Syllable {
     pub stress: u8,
 }
 
-/// A pitch accent.
+/// Pitch accent on a syllable, with its ToBI label.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Accent {
     /// Index of its syllable.
@@ -174,18 +178,18 @@ pub struct Accent {
     pub label: String,
 }
 
-/// An intonational phrase.
+/// Intonational phrase as a run of words, with its boundary tone.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Phrase {
     /// Index of its first word.
     pub first_word: usize,
-    /// Number of words.
+    /// Number of words in the phrase.
     pub words: usize,
     /// The boundary tone at its end in ToBI, for example `L-L%`.
     pub tone: String,
 }
 
-/// The type of a sentence.
+/// Type of a sentence by its final punctuation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SentenceKind {
     /// Declarative.
@@ -199,39 +203,40 @@ pub enum SentenceKind {
     Continuation,
 }
 
-/// A sentence.
+/// Sentence as a run of words, with its type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sentence {
     /// Index of its first word.
     pub first_word: usize,
-    /// Number of words.
+    /// Number of words in the sentence.
     pub words: usize,
-    /// Its type.
+    /// Type of the sentence.
     pub kind: SentenceKind,
 }
 
-/// An emotion in force (F&H 4.3.5, 4.4).
+/// Emotion in force during part of an utterance (F&H 4.3.5, 4.4), with its coordinates on the
+/// scales of activation, evaluation and power.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Emotion {
-    /// Its word (F&H tables 4.1 and 4.4).
+    /// Emotion word (F&H tables 4.1 and 4.4).
     pub name: String,
-    /// From when on, seconds from the start of the utterance.
+    /// Time at which the emotion begins, seconds from the start of the utterance.
     pub start_secs: f64,
     /// Time of its apex, seconds.
     pub apex_secs: f64,
-    /// Until when.
+    /// Time at which the emotion ends, seconds from the start of the utterance.
     pub end_secs: f64,
-    /// From −100, passive, to 100, active.
+    /// Activation, −100 passive to 100 active.
     pub activation: f64,
-    /// From −100, negative, to 100, positive.
+    /// Evaluation, −100 negative to 100 positive.
     pub evaluation: f64,
-    /// From −100, submissive, to 100, dominant.
+    /// Power, −100 submissive to 100 dominant.
     pub power: f64,
 }
 
 impl Phone {
-    /// A phone whose symbol is the name of its row in the phone table. [`Bundle::from_json`]
-    /// resolves the symbols of other phone sets by the voice.
+    /// Creates a phone whose symbol is the name of its row in the phone table.
+    /// [`Bundle::from_json`] resolves the symbols of other phone sets by the voice.
     #[must_use]
     pub fn new(symbol: &str, start_secs: f64, end_secs: f64, word: Option<usize>) -> Self {
         Self {
@@ -245,7 +250,7 @@ impl Phone {
 }
 
 impl Bundle {
-    /// Index of the utterance with this key.
+    /// Returns the index of the utterance with this key; `None` if there is none.
     #[must_use]
     pub fn find(&self, key: u64) -> Option<usize> {
         self.utterances.iter().position(|u| u.key == key)
@@ -253,7 +258,7 @@ impl Bundle {
 }
 
 impl SentenceKind {
-    /// Punctuation mark of each kind.
+    /// Punctuation marks of the kinds of sentences.
     pub const MARKS: [(Self, &'static str); 4] = [
         (Self::Statement, "."),
         (Self::Question, "?"),
@@ -274,8 +279,8 @@ impl Utterance {
         (offset_secs < self.words[i].end_secs).then_some(i)
     }
 
-    /// Start and end of the syllable of an accent, seconds from the start of the utterance, and
-    /// the word that it belongs to.
+    /// Returns start and end of the accented syllable, seconds from the start of the utterance, and
+    /// the index of its word; `None` if the syllable does not exist.
     #[must_use]
     pub fn accented(&self, accent: &Accent) -> Option<([f64; 2], Option<usize>)> {
         let syllable = self.syllables.get(accent.syllable)?;

@@ -9,7 +9,7 @@ use serde::Deserialize;
 use super::melody::{EmotionRow, Melody, SyllableRow, WordsRow};
 use super::{AudioFile, Bundle, Phone, SILENCE, Utterance, VERSION, Voice, Word};
 
-/// Error returned when a bundle is rejected.
+/// Error returned when a speech bundle (speech synthesised ahead of time) is rejected.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum BundleError {
@@ -28,7 +28,7 @@ pub enum BundleError {
     Version {
         /// Format and version of a file.
         format: String,
-        /// Its version.
+        /// Version of the file.
         version: u32,
     },
     /// Times or names that cannot be.
@@ -187,7 +187,7 @@ impl AudioFile {
 }
 
 impl super::FileDigest {
-    /// Both members or neither.
+    /// Creates the digest from its two JSON members, which must be both present or both absent.
     fn from_parts(bytes: Option<u64>, sha256: Option<String>) -> Result<Option<Self>, String> {
         let (bytes, sha256) = match (bytes, sha256) {
             (None, None) => return Ok(None),

@@ -139,7 +139,7 @@ G Q\" k
 X - k
 ";
 
-/// The SAMPA symbol of the table's row for a symbol of a language, `column` as in
+/// Returns the SAMPA symbol of the table row for a symbol of a language; `column` as in
 /// [`super::PhoneTargets`] (1 SAMPA, 2 espeak-ng).
 pub(super) fn sampa(language: &'static str, column: usize, symbol: &str) -> Option<&'static str> {
     let mut words = language.split_ascii_whitespace();

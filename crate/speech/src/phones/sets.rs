@@ -54,7 +54,7 @@ pub fn translate(from: &str, symbol: &str, to: &str) -> Option<&'static str> {
     symbols.find(|s| find(to, s).is_some_and(|other| core::ptr::eq(other, row)))
 }
 
-/// The row whose own symbol in a column this is.
+/// Returns the row whose own symbol in a column equals `symbol`.
 fn row_of_symbol(column: usize, symbol: &str) -> Option<&'static PhoneTargets> {
     if symbol.is_empty() {
         return None;

@@ -16,7 +16,7 @@ const MAX_WARNINGS: usize = 100;
 /// Number of labels used to detect the phone set.
 const SAMPLE: usize = 2000;
 
-/// An interval as written.
+/// Time interval with its label as written in the file.
 #[derive(Clone, Debug)]
 pub(super) struct Raw {
     pub(super) start: f64,
@@ -26,7 +26,7 @@ pub(super) struct Raw {
     pub(super) at: usize,
 }
 
-/// Point in time with its original label.
+/// Point in time with its label as written in the file.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
     pub(super) secs: f64,
@@ -34,7 +34,7 @@ pub(super) struct Point {
     pub(super) at: usize,
 }
 
-/// Type of the segments, if known from the format.
+/// Type of the segments, if the format determines it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Kind {
     /// Sounds.
@@ -42,11 +42,11 @@ pub(super) enum Kind {
     Phones,
     /// Phones or words: the labels decide.
     Unsure,
-    /// As the file states it.
+    /// Type as specified in the file.
     Units(Units),
 }
 
-/// Everything found, in the order of the file.
+/// Draft of an alignment: everything that a reader found, in the order of the file.
 #[derive(Debug, Default)]
 pub(super) struct Draft {
     pub(super) kind: Kind,
@@ -337,7 +337,7 @@ impl Draft {
         Ok(settled)
     }
 
-    /// Without gaps, from 0 to the end that is known.
+    /// Converts raw intervals to intervals without gaps, from 0 to the known end.
     fn tile(&mut self, raws: Vec<Raw>) -> Vec<Interval> {
         let mut tiles: Vec<Interval> = Vec::with_capacity(raws.len());
         let mut end = 0.0;

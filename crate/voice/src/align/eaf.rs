@@ -83,7 +83,7 @@ fn required_attribute(element: &Element<'_>, name: &str) -> Result<String, TextE
     element.attribute(name)?.ok_or_else(missing)
 }
 
-/// A tier with the times of its annotations.
+/// Computes a tier from the times of its annotations.
 fn intervals((name, at, mut annotations): Annotated, slots: &Slots) -> Result<Tier, TextError> {
     // They are written in the order in which they were made.
     annotations.sort_by_key(|a| slots.get(&a.slots[0]).map(|s| s.0));

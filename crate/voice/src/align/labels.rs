@@ -6,13 +6,14 @@ use super::text::{TextError, clip, fields, lines, number};
 /// Seconds in HTK's unit of time, 100 ns (The HTK Book, section 6.2).
 const HTK_UNITS_A_SEC: f64 = 1e7;
 
-/// Header lines to `#`, then end in seconds, colour and name, then fields after a separator.
+/// Reads xlabel: header lines to `#`, then lines of end in seconds, colour and name, then fields
+/// after a separator.
 pub(super) fn xlabel(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     draft.kind = Kind::Unsure;
     by_end(text, draft)
 }
 
-/// The same without header, and always of phones.
+/// Reads MARY's labels: like xlabel without a header, and always phones.
 pub(super) fn mary(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     by_end(text, draft)
 }
@@ -59,8 +60,8 @@ fn by_end(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     draft.segments_by_end(ends)
 }
 
-/// Begin and end in units of 100 ns and a name, maybe a score and a word that begins there.
-/// Of a master label file, the first entry.
+/// Reads HTK labels: begin and end in units of 100 ns and a name, optionally a score and a word
+/// that begins there. Of a master label file, only the first entry is read.
 pub(super) fn htk(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     let (mut entries, mut is_master, mut ended) = (0_usize, false, false);
     let mut words: Vec<(f64, String, usize)> = Vec::new();
@@ -171,8 +172,8 @@ fn word_ends(words: &[(f64, String, usize)], draft: &mut Draft) -> Result<(), Te
     Ok(())
 }
 
-/// The phone of a name: that between `-` and `+` where there is context (`a^b-c+d=e@…`, or
-/// HTK's `b-c+d`), else all of it.
+/// Returns the phone in a label: the part between `-` and `+` if there is context (`a^b-c+d=e@…`,
+/// or HTK's `b-c+d`), otherwise the whole label.
 fn current(name: &str) -> &str {
     let before = name.split("/A:").next().unwrap_or(name);
     match (before.find('-'), before.rfind('+')) {

@@ -19,7 +19,7 @@ const BOUNDARY_SECS: f64 = 0.2;
 /// Maximum length of a token's transcription, in bytes, which limits the time for finding phones.
 const MAX_TRANSCRIPTION: usize = 1000;
 
-/// Two times that differ by less are one: durations are whole milliseconds.
+/// Tolerance below which two times are equal: durations are whole milliseconds.
 const SAME_SECS: f64 = 0.0015;
 
 pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
@@ -92,7 +92,7 @@ struct Reader<'d> {
     draft: &'d mut Draft,
     /// Time in the sound.
     now: f64,
-    /// The same in the file's own count.
+    /// Time in the file's own count.
     clock: f64,
     /// Length of the pause since the last phone.
     pause: f64,
@@ -255,7 +255,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// From the begin of a segment to now.
+    /// Returns the time span from the begin of a segment to the last one.
     fn span_from(&self, first: usize) -> Option<(f64, f64)> {
         let first = self.draft.segments.get(first)?;
         let last = self.draft.segments.last()?;

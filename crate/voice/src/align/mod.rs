@@ -33,16 +33,16 @@ pub use viseme::{VisemeSet, phone_of_viseme, rhubarb_viseme};
 
 use draft::Draft;
 
-/// Most bytes that are read.
+/// Maximum size of an alignment file, bytes.
 pub const MAX_BYTES: usize = 64 << 20;
 
-/// Most bytes of JSON; each may become twenty in memory.
+/// Maximum size of a JSON file, bytes; each byte may take twenty in memory.
 pub const MAX_JSON_BYTES: usize = 16 << 20;
 
-/// Most intervals, points and events in one file.
+/// Maximum number of intervals, points and events in one file.
 pub const MAX_INTERVALS: usize = 1_000_000;
 
-/// Latest time that is believed, in seconds.
+/// Latest accepted time, seconds.
 pub const MAX_SECS: f64 = 86_400.0;
 
 /// The set of phones that are named in the International Phonetic Alphabet.
@@ -52,7 +52,7 @@ pub const IPA: &str = "ipa";
 pub const FORMS: &str = "Praat's TextGrid, ELAN's EAF, WebVTT, SubRip, JSON of words with times (Whisper, Google), \
     Rhubarb's TSV, JSON and XML, arrays of talking heads, MaryXML, Festival's utterances, xlabel, HTK's labels and MBROLA's .pho";
 
-/// Alignment file format.
+/// Format of an alignment file, which gives the times of phones and words in a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Praat's TextGrid, long or short text.
@@ -90,7 +90,7 @@ pub enum Format {
     TalkingHead,
 }
 
-/// Label with its interval, in seconds from the start of the recording.
+/// Label with its time interval, in seconds from the start of the recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interval {
     /// Begin, at least 0.
@@ -101,7 +101,7 @@ pub struct Interval {
     pub label: String,
 }
 
-/// Type of the segment labels.
+/// Type of the segment labels of an alignment: phones, visemes or none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Units {
     /// Phones. The set is one of [`raconteur_speech::phones::PHONE_SETS`], or [`IPA`]: the first
@@ -116,14 +116,14 @@ pub enum Units {
         /// Set of mouth shapes.
         set: VisemeSet,
     },
-    /// There are no segments, only words.
+    /// Words only, without segments.
     None,
 }
 
-/// A syllable: neighbouring segments.
+/// Syllable as a run of adjacent segments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Syllable {
-    /// Its first segment.
+    /// Index of its first segment.
     pub first_segment: usize,
     /// Number of segments, at least 1.
     pub count: usize,
@@ -131,16 +131,16 @@ pub struct Syllable {
     pub stress: u8,
 }
 
-/// A pitch accent.
+/// Pitch accent of an alignment: its time and its label.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Accent {
     /// Middle of the accented syllable, in seconds.
     pub at_secs: f64,
-    /// As written, usually ToBI: `H*`, `l+h*`.
+    /// Label as written, usually ToBI: `H*`, `l+h*`.
     pub label: String,
 }
 
-/// A boundary of phrases.
+/// Phrase boundary of an alignment: its time, boundary tone and break index.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tone {
     /// End of the phrase, before its pause, in seconds.
@@ -151,7 +151,7 @@ pub struct Tone {
     pub break_index: Option<u8>,
 }
 
-/// Alignment of a recording, as read from a file.
+/// Alignment of a recording, as read from a file: the times of its phones, words and prosody.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alignment {
     /// Type of the segment labels.
@@ -186,11 +186,11 @@ impl Alignment {
     }
 }
 
-/// Fault of a file: the reason for rejection, or a repair.
+/// Fault in an alignment file: the reason for its rejection, or for a repair.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}, column {column}: {message}")]
 pub struct Fault {
-    /// Line, from 1.
+    /// Line number, from 1.
     pub line: u32,
     /// Column in characters, from 1.
     pub column: u32,

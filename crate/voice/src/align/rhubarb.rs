@@ -157,7 +157,7 @@ pub(super) fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, TextError
     })
 }
 
-/// The byte of a text at which a value of it begins.
+/// Returns the byte offset in a text at which one of its values begins.
 pub(super) fn place(text: &str, value: &RawValue) -> usize {
     (value.get().as_ptr() as usize).saturating_sub(text.as_ptr() as usize)
 }

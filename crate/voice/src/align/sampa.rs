@@ -2,7 +2,7 @@
 
 use raconteur_speech::phones;
 
-/// Phone of a transcription with its syllable.
+/// Phone of a transcription with its syllable and stress.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Sounded<'a> {
     pub(super) phone: &'a str,

@@ -15,7 +15,7 @@ impl TextError {
         Self { at, message }
     }
 
-    /// With line and column instead of an offset.
+    /// Converts the error to a fault with line and column instead of an offset.
     pub(super) fn in_text(self, text: &str) -> Fault {
         let (line, column) = place(text, self.at);
         Fault {
@@ -26,12 +26,12 @@ impl TextError {
     }
 }
 
-/// Line and column (in characters), both from 1, of a byte.
+/// Returns line and column (in characters), both from 1, of a byte offset.
 pub(super) fn place(text: &str, at: usize) -> (u32, u32) {
     LineCounter::new(text).to(at)
 }
 
-/// Finds line and column of ascending positions in one pass. CR, LF and CRLF end a line.
+/// Converts ascending byte offsets to line and column in one pass. CR, LF and CRLF end a line.
 pub(super) struct LineCounter<'a> {
     rest: std::iter::Peekable<std::str::CharIndices<'a>>,
     line: u32,
@@ -132,7 +132,7 @@ pub(super) fn fields(at: usize, line: &str) -> impl Iterator<Item = (usize, &str
     })
 }
 
-/// A finite number.
+/// Parses a finite number.
 pub(super) fn number(at: usize, field: &str) -> Result<f64, TextError> {
     match field.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
@@ -147,7 +147,7 @@ pub(super) fn number(at: usize, field: &str) -> Result<f64, TextError> {
     }
 }
 
-/// The beginning of a text, to name it in a message.
+/// Returns the beginning of a text, for use in a message.
 pub(super) fn clip(text: &str) -> String {
     text.chars().take(40).collect()
 }

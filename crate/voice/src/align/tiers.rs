@@ -31,9 +31,9 @@ const SYLLABLES: [&str; 4] = ["syllables", "syllable", "syl", "mas"];
 const TONES: [&str; 5] = ["tones", "tone", "tobi", "accents", "intonation"];
 const BREAKS: [&str; 3] = ["breaks", "break", "break indices"];
 
-/// A tier as written.
+/// Annotation tier as written in the file: intervals or points.
 pub(super) struct Tier {
-    /// In small letters.
+    /// Name of the tier, in lower case.
     pub(super) name: String,
     pub(super) at: usize,
     pub(super) intervals: Vec<Raw>,

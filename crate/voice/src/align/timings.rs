@@ -95,7 +95,7 @@ fn run(found: &[Timed], first: usize) -> usize {
     last
 }
 
-/// The words of a value, else its phrases.
+/// Returns the timed words in a JSON value; its phrases if it has none.
 fn found_in(value: &Value) -> Vec<Timed> {
     match value {
         Value::Array(list) => list.iter().flat_map(found_in).collect(),
@@ -123,7 +123,7 @@ fn found_in(value: &Value) -> Vec<Timed> {
     }
 }
 
-/// An object as a word or a phrase.
+/// Reads a JSON object as a timed word or phrase; `None` if it is neither.
 fn timed(object: &Map<String, Value>) -> Option<Timed> {
     let text = |name: &str| object.get(name)?.as_str();
     let of_word = WORDS.into_iter().find_map(text);
@@ -148,7 +148,7 @@ fn timed(object: &Map<String, Value>) -> Option<Timed> {
     })
 }
 
-/// A time: a number of seconds, the same as a text ("0.100s"), or seconds and nanoseconds.
+/// Parses a time: a number of seconds, the same as a text ("0.100s"), or seconds and nanoseconds.
 fn secs(value: &Value) -> Option<f64> {
     let number = |value: &Value| match value {
         Value::Number(number) => number.as_f64(),

@@ -145,7 +145,7 @@ fn node(at: usize, line: &str) -> Result<(usize, Node), TextError> {
     Ok((id, node))
 }
 
-/// `number key value ; key value ;` where a value may be quoted.
+/// Parses an item, `number key value ; key value ;`, in which a value may be quoted.
 fn item(at: usize, line: &str, id: &str) -> Result<Item, TextError> {
     let mut item = Item {
         at,
@@ -226,7 +226,8 @@ impl Whole {
         })
     }
 
-    /// Top nodes: all from that without neighbour before and without mother.
+    /// Iterates over the top nodes of a relation: all that follow from the node without predecessor
+    /// and mother.
     fn tops(&self, relation: &Relation) -> impl Iterator<Item = Node> {
         let with_daughters = relation.values().filter(|n| n.down != 0);
         let mut daughters: Vec<usize> = with_daughters.map(|n| n.down).collect();
@@ -381,7 +382,7 @@ fn point(secs: f64, label: &str, at: usize) -> Point {
     Point { secs, label, at }
 }
 
-/// The span over both.
+/// Returns the span that covers both spans; if one is missing, the other.
 fn join(a: Option<(f64, f64)>, b: Option<(f64, f64)>) -> Option<(f64, f64)> {
     match (a, b) {
         (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),

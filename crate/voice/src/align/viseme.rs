@@ -1,6 +1,6 @@
 //! Mouth shapes of other programs, and their phones.
 
-/// A set of mouth shapes.
+/// Set of mouth shapes (visemes) that lip-sync programs write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VisemeSet {
     /// Shapes A to H of Rhubarb Lip Sync; its X is silence.
@@ -14,8 +14,8 @@ pub(super) const OCULUS: [&str; 15] = [
     "sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou",
 ];
 
-/// The shape of OpenXR's fifteen that a name means: with or without `viseme_`, in any case, and by
-/// the letters that Oculus' own documents and avatars of Ready Player Me have for three of them.
+/// Returns the OpenXR mouth shape that a name denotes: with or without `viseme_`, in any case, or
+/// in the alternative spellings of Oculus' documents and Ready Player Me avatars.
 pub(super) fn oculus(name: &str) -> Option<&'static str> {
     let bare = name.trim();
     let bare = match bare.get(..7) {
@@ -31,7 +31,7 @@ pub(super) fn oculus(name: &str) -> Option<&'static str> {
     OCULUS.into_iter().find(|s| s.eq_ignore_ascii_case(meant))
 }
 
-/// The shape among OpenXR's fifteen that is nearest to one of Rhubarb Lip Sync (A to H, X).
+/// Returns the OpenXR mouth shape nearest to a shape of Rhubarb Lip Sync (A to H, X).
 ///
 /// By the descriptions in Rhubarb's README, "Mouth shapes": A closed lips (P, B, M), B teeth
 /// together (most consonants and EE), C open (EH, AE), D wide open (AA), E slightly rounded

@@ -158,14 +158,15 @@ fn finish(cue: Option<Cue>, draft: &mut Draft) -> Result<(), TextError> {
     Ok(())
 }
 
-/// A time between angle brackets at the begin of a text.
+/// Parses a time in angle brackets at the beginning of a text.
 fn inner_time(text: &str) -> Option<f64> {
     // The longest time in sense is 99:59:59.999.
     let end = text.bytes().take(20).position(|b| b == b'>')?;
     time(text.get(1..end)?, '.')
 }
 
-/// `[hours:]minutes:seconds.milliseconds`, with a point or `mark`.
+/// Parses `[hours:]minutes:seconds.milliseconds`, with a point or `mark` before the milliseconds;
+/// returns seconds.
 fn time(written: &str, mark: char) -> Option<f64> {
     let digits = |part: &str, least: usize| {
         let fine =
@@ -182,7 +183,7 @@ fn time(written: &str, mark: char) -> Option<f64> {
     fine.then_some(hours * 3600.0 + minutes * 60.0 + secs + millis / 1000.0)
 }
 
-/// A line without its tags.
+/// Returns a line without its tags.
 fn plain(line: &str) -> String {
     let (mut plain, mut in_tag) = (String::new(), false);
     for c in line.chars() {
@@ -196,7 +197,7 @@ fn plain(line: &str) -> String {
     plain.trim().to_owned()
 }
 
-/// Text with the escapes of WebVTT resolved.
+/// Returns the text with the escapes of WebVTT resolved.
 fn unescape(text: &str) -> String {
     const ESCAPES: [(&str, &str); 5] = [
         ("&lt;", "<"),

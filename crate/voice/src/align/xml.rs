@@ -12,7 +12,7 @@ use super::text::{TextError, number};
 /// Deeper nesting is refused.
 const MAX_DEPTH: usize = 256;
 
-/// A start tag.
+/// Start tag of an XML element, with its position.
 pub(super) struct Element<'a> {
     tag: BytesStart<'a>,
     /// Byte of its `<`.
@@ -20,12 +20,13 @@ pub(super) struct Element<'a> {
 }
 
 impl Element<'_> {
-    /// Name without prefix.
+    /// Returns the name of the element without its prefix.
     pub(super) fn name(&self) -> &str {
         self.tag.local_name().into_inner()
     }
 
-    /// Value of an attribute, by its name without prefix.
+    /// Returns the value of an attribute, selected by its name without prefix; `None` if it is
+    /// absent.
     pub(super) fn attribute(&self, name: &str) -> Result<Option<String>, TextError> {
         // The check for duplicates is quadratic in their number.
         for attribute in self.tag.attributes().with_checks(false) {
@@ -39,7 +40,7 @@ impl Element<'_> {
         Ok(None)
     }
 
-    /// An attribute that is a number, where it is there and not empty.
+    /// Returns the numeric value of an attribute; `None` if it is absent or empty.
     pub(super) fn number(&self, name: &str) -> Result<Option<f64>, TextError> {
         match self.attribute(name)? {
             Some(value) if !value.trim().is_empty() => number(self.at, &value).map(Some),
@@ -48,14 +49,14 @@ impl Element<'_> {
     }
 }
 
-/// XML event.
+/// Event of the XML reader: start tag, end tag or text.
 pub(super) enum XmlEvent<'a> {
     Start(Element<'a>),
     End(String),
     Text(Cow<'a, str>),
 }
 
-/// The stream.
+/// XML reader that returns a stream of events.
 pub(super) struct Xml<'a> {
     reader: Reader<&'a [u8]>,
     depth: usize,

@@ -8,14 +8,14 @@ use raconteur_speech::bundle::{Utterance, db_of_code};
 
 use super::sounds;
 
-/// Most difference between the length of a sound and that of its utterance, seconds: an encoder's
+/// Maximum difference between the length of an audio file and its utterance, seconds: an encoder's
 /// frame of 20 ms.
 const LENGTH_SECS: f64 = 0.02;
 /// Softer frames are not compared, decibels: encoders fill pauses.
 const SOFTEST_DB: f64 = -50.0;
-/// Most difference in a frame that is alike, decibels.
+/// Maximum intensity difference at which two frames count as alike, decibels.
 const ALIKE_DB: f64 = 3.0;
-/// Least share of frames that are alike.
+/// Minimum share of frames that must be alike.
 const MIN_ALIKE: f64 = 0.9;
 
 /// Returns true if a sound has the length and intensity contour of its utterance. A file that
@@ -30,7 +30,8 @@ fn fits(utterance: &Utterance, samples: &[f64], rate_hz: f64) -> bool {
         && alike(utterance, samples, rate_hz) >= MIN_ALIKE
 }
 
-/// The share of frames with sound in them that are as loud as stated.
+/// Returns the share of audible frames whose intensity is alike in the samples and in the
+/// utterance.
 fn alike(utterance: &Utterance, samples: &[f64], rate_hz: f64) -> f64 {
     let heard = intensity_codes(samples, rate_hz, utterance.duration_secs);
     let pairs = utterance.intensity.iter().zip(&heard);

@@ -45,7 +45,7 @@ fn mouth(voice: &Voice) -> String {
     }
 }
 
-/// Whole milliseconds.
+/// Converts seconds to whole milliseconds.
 fn msec(secs: f64) -> u64 {
     (secs * 1000.0).round().max(0.0) as u64
 }

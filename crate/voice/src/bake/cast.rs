@@ -10,12 +10,12 @@ use anyhow::{Context as _, Result, anyhow, bail};
 use super::engine::{self, Engine, EngineOptions, MissingEngine, VoiceInfo};
 use super::program::MissingPrograms;
 
-/// A voice and the engine that has it.
+/// Voice of a role and the name of the engine that provides it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Role {
-    /// The engine's name.
+    /// Name of the engine.
     pub engine: String,
-    /// The voice.
+    /// Description of the voice.
     pub voice: VoiceInfo,
 }
 
@@ -33,7 +33,7 @@ pub struct Cast {
     pub instead_of: Option<MissingPrograms>,
     /// Language of the story, a BCP 47 tag; `None`: that of the voice.
     pub language: Option<String>,
-    /// There is one engine, as in a page.
+    /// True if only one engine exists, as on a web page.
     is_alone: bool,
 }
 
@@ -45,7 +45,8 @@ struct KnownVoice {
 
 type Engines = BTreeMap<String, &'static KnownVoice>;
 
-/// A handful of engines live as long as the program; so threads need not share a lock.
+/// Adds an engine to the cache. The few engines live as long as the program, so threads need not
+/// share a lock.
 fn cache(engines: &mut Engines, name: &str, one: KnownVoice) -> &'static KnownVoice {
     let one: &'static KnownVoice = Box::leak(Box::new(one));
     engines.insert(name.to_owned(), one);
@@ -100,7 +101,8 @@ fn usual_of(voices: &[VoiceInfo]) -> Option<&VoiceInfo> {
     of(&american).or_else(|| of(&english)).or(Some(first))
 }
 
-/// The first voice of a language: of that very tag, else of its language.
+/// Returns the first voice of a language tag; if no voice has the exact tag, the first voice of its
+/// language.
 fn speaking<'v>(voices: &'v [VoiceInfo], tag: &str) -> Option<&'v VoiceInfo> {
     let same = voices.iter().find(|v| v.language.eq_ignore_ascii_case(tag));
     let primary = language::primary(tag);
@@ -263,7 +265,7 @@ impl Cast {
         Ok(cache(&mut known, name, one))
     }
 
-    /// A voice by its name.
+    /// Returns the voice of an engine with a name.
     fn voice(&self, engine: &str, name: &str) -> Result<VoiceInfo> {
         let known = self.known(engine)?;
         if let Some(voice) = known.voices.iter().find(|v| v.name == name) {
@@ -279,7 +281,7 @@ impl Cast {
         })
     }
 
-    /// The engine of a role.
+    /// Returns the engine of a role.
     ///
     /// # Errors
     /// When it is not installed.
@@ -287,7 +289,7 @@ impl Cast {
         Ok(self.known(&role.engine)?.engine.as_ref())
     }
 
-    /// The version of a role's engine.
+    /// Returns the version of a role's engine.
     ///
     /// # Errors
     /// When it is not installed.
@@ -295,7 +297,7 @@ impl Cast {
         Ok(&self.known(&role.engine)?.version)
     }
 
-    /// The voice that a script names, `VOICE` or `ENGINE:VOICE`.
+    /// Returns the voice that a script names, as `VOICE` or `ENGINE:VOICE`.
     ///
     /// # Errors
     /// When there is none of that name; the message says what to do.
@@ -391,7 +393,7 @@ impl Cast {
                     .any(speaks)
     }
 
-    /// All voices of an engine.
+    /// Returns all voices of an engine.
     ///
     /// # Errors
     /// When it is not installed.

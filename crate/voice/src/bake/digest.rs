@@ -1,6 +1,6 @@
 //! Digests by which a bake detects changes.
 
-/// FNV-1a, 64 bits.
+/// 64-bit FNV-1a digest under construction.
 #[derive(Clone)]
 pub(super) struct Digest(u64);
 
@@ -20,7 +20,7 @@ impl Digest {
         self.bytes(&number.to_le_bytes());
     }
 
-    /// A text and that it ends.
+    /// Adds a text and an end marker to the digest.
     pub(super) fn text(&mut self, text: &str) {
         self.bytes(text.as_bytes());
         self.bytes(&[0xff]);

@@ -12,7 +12,7 @@ use super::program::{FFMPEG, OPUSENC, Program};
 pub(super) const FORMATS: [(&str, &str); 2] =
     [("opus", "audio/ogg; codecs=opus"), ("mp3", "audio/mpeg")];
 
-/// The bytes of the sound in each of [`FORMATS`].
+/// Encodes audio in each of [`FORMATS`] and returns the bytes of the files.
 ///
 /// # Errors
 /// When an encoder is missing or fails.
@@ -62,7 +62,7 @@ pub(super) fn encode(samples: &[f64], rate_hz: u32) -> Result<[Vec<u8>; 2]> {
     Ok([opus, mp3])
 }
 
-/// A WAV of one channel and 16 bits.
+/// Encodes samples as a WAV file with one channel and 16 bits.
 ///
 /// # Errors
 /// When it would be too long.

@@ -8,18 +8,19 @@ use crate::person::Person;
 
 use super::ModelHead;
 
-/// Distances of the rendered vertices of a region from the model's surface, mm.
+/// Statistics of the distances between the rendered vertices of a region and the model's surface,
+/// mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
-    /// Region name.
+    /// Name of the region.
     pub region: &'static str,
-    /// Number of vertices.
+    /// Number of compared vertices.
     pub count: usize,
     /// Root of the mean square.
     pub rms_mm: f64,
-    /// That 95 of 100 do not exceed.
+    /// 95th percentile of the distances, mm.
     pub p95_mm: f64,
-    /// The largest.
+    /// Largest distance, mm.
     pub max_mm: f64,
 }
 

@@ -70,7 +70,7 @@ pub(super) const COUNT: usize = 2 * LINES.len();
 
 /// Step towards the middle of the ear if a line misses it, as a share of the distance.
 const INWARD: f64 = 0.02;
-/// Most steps.
+/// Maximum number of steps.
 const STEPS: u32 = 12;
 
 /// Returns the points of the lines on the model's head, of both ears.

@@ -48,10 +48,10 @@ const BEFORE: f64 = 1.0;
 const REACH_MM: f64 = 12.0;
 const FACING: f64 = 0.35;
 
-/// Result of the registration.
+/// Binding of the head's cage to the body model, newly computed by [`register`], with its quality.
 #[derive(Clone, Debug)]
 pub struct HeadRegistration {
-    /// As `head/binding.tsv` has it.
+    /// Table of the binding, in the format of `head/binding.tsv`.
     pub table: String,
     /// Number of cage vertices with a match, on both halves.
     pub found_points: usize,
@@ -61,7 +61,7 @@ pub struct HeadRegistration {
     pub moved_mm: [f64; 2],
 }
 
-/// The model's mean adult.
+/// Returns the traits of the model's mean adult.
 fn mean_traits() -> Traits {
     Traits {
         age_years: 32.0,
@@ -109,7 +109,7 @@ fn is_given(key: Key) -> bool {
     }
 }
 
-/// Registers the mean head on the model's.
+/// Registers the mean head to the mean head of the body model and returns the new binding.
 ///
 /// # Errors
 /// When the model lacks a target.
@@ -232,7 +232,7 @@ mod tests {
     use super::*;
     use crate::subdivide::subdivide;
 
-    /// A smooth change of any head, mm.
+    /// Returns a point displaced by a smooth test deformation of the head, mm.
     fn bulge(p: DVec3) -> DVec3 {
         let away = (p - DVec3::new(60.0, -30.0, 60.0)).length_squared();
         p * DVec3::new(1.06, 0.96, 1.03)

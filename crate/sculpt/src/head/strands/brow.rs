@@ -18,7 +18,7 @@ const BROW: [[f64; 4]; 8] = [
     [52.0, 45.0, 77.5, 1.5],
     [56.0, 43.0, 72.5, 0.9],
 ];
-/// The brow's middle line and half width at t in 0..7, warped to the person.
+/// Middle line and half width of the brow at parameters t in 0..7, warped to the person.
 #[derive(Clone, Debug)]
 pub(crate) struct BrowLine {
     knots: Vec<(DVec3, f64)>,
@@ -65,7 +65,8 @@ impl BrowLine {
         Self { knots }
     }
 
-    /// Catmull–Rom through the knots.
+    /// Returns position and half width at `t`, interpolated with a Catmull–Rom spline through the
+    /// knots.
     fn sample(&self, t: f64) -> (DVec3, f64) {
         let last = self.knots.len() - 1;
         let i = (t.floor().max(0.0) as usize).min(last - 1);
@@ -223,7 +224,8 @@ impl Brow<'_> {
         }
     }
 
-    /// Hair `hair`, which has its root where `share` of the hairs are farther in.
+    /// Builds hair number `hair`, whose root lies where `share` of the hairs are nearer to the
+    /// inner end.
     fn strand(&self, hair: u64, share: f64, is_long: bool) -> Strand {
         let mut dice = StrandRandom {
             seed: self.seed ^ self.side.index() as u64,
@@ -276,7 +278,7 @@ impl Brow<'_> {
     }
 }
 
-/// The hairs of a brow.
+/// Grows all hairs of a brow.
 pub(super) fn brow(
     ride: &ScalpBinding,
     line: &BrowLine,

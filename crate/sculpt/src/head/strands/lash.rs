@@ -5,7 +5,7 @@ use raconteur_base::{DVec3, Side};
 use super::super::rig::smooth;
 use super::{BrowParams, Strand, StrandRandom};
 
-/// The lid that lashes grow from.
+/// Lid from which lashes grow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Row {
     Upper,

@@ -9,7 +9,8 @@ use crate::torso::shell::Shell;
 use crate::torso::weights::{Rig, Weights};
 use raconteur_body::skeleton::Bone;
 
-/// One label for each vertex, then rounds of averaging with the neighbours.
+/// Computes the skinning weights of the cage: one joint label for each vertex, then rounds of
+/// averaging with the neighbours.
 pub(super) fn weights(
     shell: &Shell,
     keys: &[Key],

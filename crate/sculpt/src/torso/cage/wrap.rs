@@ -10,7 +10,8 @@ use crate::torso::field::{Field, Regions};
 use crate::torso::shape::CM;
 use crate::torso::shell::Shell;
 
-/// Forty rounds of sliding and projecting; the right side mirrors the left.
+/// Wraps the cage onto the body in forty rounds of sliding and projecting; the right side mirrors
+/// the left.
 pub(super) fn wrap(shell: &mut Shell, keys: &[Key], index: &BTreeMap<Key, u32>, field: &Field) {
     let (around, _) = shell.neighbours();
     let mut normals = vec![DVec3::ZERO; keys.len()];
@@ -91,7 +92,8 @@ pub(super) fn wind(shell: &mut Shell, field: &Field) {
     }
 }
 
-/// Twice the area with which a quad faces out of the field, square metres.
+/// Returns twice the area with which a quad faces out of the field, square metres; negative if it
+/// faces inwards.
 fn outward(points: &[DVec3], face: &[u32], field: &Field) -> f64 {
     let p = |i: usize| points[face[i] as usize];
     let area = (p(2) - p(0)).cross(p(3) - p(1));

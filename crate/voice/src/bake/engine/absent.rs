@@ -6,9 +6,9 @@ use anyhow::Result;
 use super::super::program::MissingPrograms;
 use super::{Engine, VoiceInfo};
 
-/// An engine that is missing.
+/// Error returned when a speech engine is not installed.
 pub struct MissingEngine {
-    /// Missing programs.
+    /// Programs that must be installed.
     pub missing: MissingPrograms,
     /// True if its voices are named by language.
     pub by_language: bool,

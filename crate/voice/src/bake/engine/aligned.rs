@@ -80,7 +80,7 @@ pub(super) fn unknown_phones<'a>(alignment: &'a Alignment, phone_set: &str) -> V
     unknown
 }
 
-/// The token of each word.
+/// Returns the token index of each aligned word; `None` for a word without a token.
 fn tokens_of(alignment: &Alignment, tokens: &[&str]) -> Result<Vec<Option<usize>>> {
     let known: Vec<String> = tokens.iter().map(|t| folded(t)).collect();
     let heard: Vec<String> = alignment.words.iter().map(|w| folded(&w.label)).collect();

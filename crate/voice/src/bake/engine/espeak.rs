@@ -19,15 +19,16 @@ const QUIET: u16 = 100;
 /// Longest closure, seconds. *Designed*.
 const MAX_CLOSURE_SECS: f64 = 0.12;
 
-/// Environment that runs espeak-ng.
+/// Environment that runs espeak-ng: the installed library, or a stub without it.
 pub trait Host: Send + Sync {
-    /// Its version.
+    /// Returns the version of espeak-ng.
     ///
     /// # Errors
     /// When it is not there.
     fn version(&self) -> Result<String>;
 
-    /// The files below a folder of its data, in order, as paths below that folder.
+    /// Returns the files below a folder of espeak-ng's data, sorted, as paths relative to that
+    /// folder.
     ///
     /// # Errors
     /// When the data is not there.
@@ -47,7 +48,7 @@ pub trait Host: Send + Sync {
     fn speak(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>>;
 }
 
-/// espeak-ng.
+/// Speech engine based on espeak-ng, run by a host.
 pub struct Espeak<H>(pub H);
 
 impl<H: Host> Engine for Espeak<H> {
@@ -81,7 +82,7 @@ impl<H: Host> Engine for Espeak<H> {
     }
 }
 
-/// The phones of a language.
+/// Returns the phone set of a language.
 fn set(language: &str) -> Set {
     match language.split('-').next() {
         Some("de") => Set::EspeakDe,
@@ -90,7 +91,7 @@ fn set(language: &str) -> Set {
     }
 }
 
-/// The name of a set of phones.
+/// Returns the name of a phone set in bundles.
 fn phone_set(set: Set) -> &'static str {
     match set {
         Set::EspeakDe => "espeak-de",
@@ -131,7 +132,7 @@ impl Text {
         Ok(text)
     }
 
-    /// The token at a character, counted from 1.
+    /// Returns the token that contains a character, counted from 1; `None` before the first.
     fn token(&self, position: usize) -> Option<usize> {
         let after = self.starts.partition_point(|(start, _)| *start < position);
         Some(self.starts.get(after.checked_sub(1)?)?.1)
@@ -295,7 +296,7 @@ fn closures(starts: &mut [usize], phones: &[Phone], samples: &[i16], rate_hz: u3
     }
 }
 
-/// A mnemonic without marks of stress and length.
+/// Returns a mnemonic without marks of stress and length.
 fn bare(name: &str) -> String {
     name.trim_matches(['\'', ',', '%', '=']).to_owned()
 }
@@ -379,7 +380,7 @@ fn readable(text: &str) -> String {
     }
 }
 
-/// A pronunciation as the library reads it: mnemonics in double brackets.
+/// Converts an IPA pronunciation to the library's input: mnemonics in double brackets.
 fn mnemonics(ipa: &str, set: Set) -> Result<String> {
     let mut out = "[[".to_owned();
     for syllable in ipa::syllables(ipa, set)? {

@@ -1,6 +1,6 @@
 //! Output of espeak-ng: audio and its events.
 
-/// Type of an event in the audio.
+/// Type of an event that espeak-ng reports with the audio.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum EventKind {
     /// A word begins, at this character of the text, counted from 1.
@@ -11,7 +11,7 @@ pub enum EventKind {
     End,
 }
 
-/// Event in the audio.
+/// Event that espeak-ng reports at a position of the audio.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Event {
     /// Samples from the start.
@@ -20,12 +20,12 @@ pub struct Event {
     pub what: EventKind,
 }
 
-/// Synthesised speech.
+/// Speech synthesised by espeak-ng, with its events.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Synthesis {
-    /// Mono.
+    /// Mono samples.
     pub samples: Vec<i16>,
-    /// Samples a second.
+    /// Sample rate, Hz.
     pub rate_hz: u32,
     /// Events in the order of the library.
     pub events: Vec<Event>,

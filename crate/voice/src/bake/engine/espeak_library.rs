@@ -39,10 +39,10 @@ const PHONEMES: c_uint = 0x100;
 
 /// Mnemonics, with [`SEPARATOR`] between them.
 const PHONEME_MODE: c_int = (SEPARATOR as c_int) << 8;
-/// No mnemonic has it.
+/// Byte that separates mnemonics; no mnemonic contains it.
 const SEPARATOR: u8 = 1;
 
-/// Most clauses that one text may have.
+/// Maximum number of clauses in one text.
 const MAX_CLAUSES: usize = 1_000;
 
 const EVENT_LIST_TERMINATED: c_int = 0;
@@ -50,7 +50,7 @@ const EVENT_WORD: c_int = 1;
 const EVENT_END: c_int = 5;
 const EVENT_PHONEME: c_int = 7;
 
-/// Most samples that one text may become: ten minutes at 22,050 Hz.
+/// Maximum number of samples for one text: ten minutes at 22,050 Hz.
 const MAX_SAMPLES: usize = 600 * 22_050;
 
 /// `espeak_EVENT`.
@@ -92,7 +92,7 @@ type Terminate = unsafe extern "C" fn() -> c_int;
 type Info = unsafe extern "C" fn(*mut *const c_char) -> *const c_char;
 
 unsafe extern "C" {
-    /// Of the C library.
+    /// Seeds the random numbers of the C library.
     fn srand(seed: c_uint);
 }
 
@@ -177,7 +177,7 @@ impl Espeak {
             })
     }
 
-    /// Version and folder of data.
+    /// Returns the version of the library and its data folder.
     fn about(&self) -> (String, PathBuf) {
         let mut path: *const c_char = core::ptr::null();
         // SAFETY: both results are strings of the library that end in 0, or null.
@@ -186,7 +186,7 @@ impl Espeak {
     }
 }
 
-/// A copy of a string of C; empty for null.
+/// Returns a copy of a C string; empty for a null pointer.
 ///
 /// # Safety
 /// `pointer` is null or points to characters that end in 0.
@@ -269,7 +269,7 @@ fn with<T>(act: impl FnOnce(&Espeak) -> Result<T>) -> Result<T> {
     done
 }
 
-/// The library on this machine.
+/// Host that runs the espeak-ng library installed on this machine.
 pub(super) struct Installed;
 
 impl Host for Installed {
@@ -311,7 +311,7 @@ impl Host for Installed {
     }
 }
 
-/// The entries of a folder, in order.
+/// Returns the entries of a folder, sorted.
 fn names(folder: &Path) -> Result<Vec<String>> {
     let entries = fs::read_dir(folder)
         .with_context(|| format!("reading the voices of espeak-ng in {}", folder.display()))?;

@@ -5,7 +5,7 @@ use anyhow::Result;
 use super::super::program::MissingPrograms;
 use super::espeak::{Host, Synthesis};
 
-/// The library, which is not here.
+/// Host for builds without the espeak-ng library: every call fails.
 pub(super) struct Installed;
 
 impl Host for Installed {

@@ -28,7 +28,7 @@ const HTS_LAG_SECS: f64 = 0.009;
 /// none (121 of 137).
 const KAL_LAG_SECS: f64 = 0.010;
 
-/// Festival.
+/// Speech engine based on Festival.
 pub(super) struct Festival;
 
 impl Engine for Festival {
@@ -139,7 +139,7 @@ fn ipa_set(voice: &str) -> Result<Set> {
     }
 }
 
-/// Our name of Festival's phone set.
+/// Returns the bundle's name of a Festival phone set.
 fn phone_set(name: &str) -> Result<&'static str> {
     match name.trim_matches('"') {
         "radio" => Ok("radio"),

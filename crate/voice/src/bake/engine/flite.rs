@@ -51,7 +51,7 @@ const VOICES: [(&str, Gender, f64, &str, f64); 5] = [
     ),
 ];
 
-/// Environment that runs flite.
+/// Environment that runs flite, for example the installed program.
 pub trait Host: Send + Sync {
     /// Runs flite with arguments in a folder that contains some files, by name and text, and
     /// returns its output; with `sound`, also the WAV that it writes as [`SOUND`].
@@ -61,19 +61,19 @@ pub trait Host: Send + Sync {
     fn run(&self, arguments: &[&str], files: &[(&str, &str)], sound: bool) -> Result<Output>;
 }
 
-/// Output of a run of flite.
+/// Output of one run of flite.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Output {
-    /// Standard output.
+    /// Standard output of the program.
     pub printed: String,
     /// Bytes of the WAV file; empty if not requested.
     pub wave: Vec<u8>,
 }
 
-/// The file that a sound is written to.
+/// Name of the WAV file to which flite writes the audio.
 pub const SOUND: &str = "said.wav";
 
-/// The program on this machine.
+/// Host that runs the flite program installed on this machine.
 pub(super) struct Installed;
 
 impl Host for Installed {
@@ -95,7 +95,7 @@ impl Host for Installed {
     }
 }
 
-/// flite.
+/// Speech engine based on flite, run by a host.
 pub struct Flite<H>(pub H);
 
 impl<H: Host> Engine for Flite<H> {

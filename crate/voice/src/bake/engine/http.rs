@@ -13,10 +13,10 @@ const CONNECT: Duration = Duration::from_secs(5);
 /// Longest wait for a reply.
 const LIMIT: Duration = Duration::from_secs(120);
 
-/// Most bytes of a reply.
+/// Maximum size of a reply, bytes.
 const MAX_BYTES: u64 = 256 << 20;
 
-/// Most bytes before its body.
+/// Maximum size of a reply's header, bytes.
 const MAX_HEADER: usize = 64 << 10;
 
 /// Characters that are percent-encoded in a value: all but the unreserved characters (RFC 3986,
@@ -69,7 +69,7 @@ pub(super) fn post(address: &str, path: &str, form: &[(&str, &str)]) -> Result<V
     Ok(body)
 }
 
-/// Percent encoding of a value.
+/// Returns a value with percent encoding.
 fn escaped(text: &str) -> String {
     utf8_percent_encode(text, CODED).to_string()
 }

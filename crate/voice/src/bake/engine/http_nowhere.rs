@@ -2,7 +2,7 @@
 
 use anyhow::{Result, bail};
 
-/// An error.
+/// Returns an error: builds without networking cannot query a server.
 pub(super) fn post(address: &str, _path: &str, _form: &[(&str, &str)]) -> Result<Vec<u8>> {
     bail!("the server {address} cannot be queried from here")
 }

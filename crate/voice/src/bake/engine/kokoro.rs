@@ -36,16 +36,17 @@ const PAUSE_SECS: f64 = 0.04;
 /// Maximum number of letters per inference; the network accepts 510.
 const MAX_LETTERS: usize = 400;
 
-/// Environment that runs Kokoro.
+/// Environment that runs Kokoro: provides its voices, dictionaries and neural network.
 pub trait Host: Send + Sync {
-    /// The names of the voices that are there: `af_heart` is an American woman, `bm_george` a
+    /// Returns the names of the available voices: `af_heart` is an American woman, `bm_george` a
     /// British man.
     ///
     /// # Errors
     /// When it is not there.
     fn voices(&self) -> Result<Vec<String>>;
 
-    /// The letters of a word in the dictionaries, and those at the end of a phrase where they differ.
+    /// Returns the phone letters of a word in the dictionaries, and those at the end of a phrase if
+    /// they differ; `None` for an unknown word.
     ///
     /// # Errors
     /// [`super::Pending`] while they are fetched.

@@ -291,7 +291,7 @@ fn broken_arrays_are_told_by_name() {
     let twelve = [0.5; 12];
     let cases = [
         ("mean.npy", vec![], "cannot read"),
-        ("mean.npy", b"mean".to_vec(), "no array of NumPy"),
+        ("mean.npy", b"mean".to_vec(), "not a NumPy array"),
         ("mean.npy", b"\x93NUMPY\x01\x00".to_vec(), "cut off"),
         (
             "mean.npy",
@@ -347,7 +347,7 @@ fn broken_arrays_are_told_by_name() {
         (
             "deviations.npy",
             npy("<f8", "(1, 2)", &doubles(&[1.0, 1.0])),
-            "K is wanted",
+            "expected K",
         ),
         (
             "deviations.npy",

@@ -7,12 +7,12 @@ use super::super::matching;
 use super::{Event, EventKind, Synthesis, set};
 use crate::ipa::{self, Set};
 
-/// Text as spoken by such a build.
+/// Speech and events that a tracing build of espeak-ng returns for a text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TracedText {
-    /// Mono.
+    /// Mono samples.
     pub samples: Vec<i16>,
-    /// Samples a second.
+    /// Sample rate, Hz.
     pub rate_hz: u32,
     /// Events; [`EventKind::Phone`] contains IPA letters with stress marks; empty for silence.
     pub events: Vec<Event>,

@@ -12,7 +12,7 @@ use crate::content::Gender;
 const LANGUAGES: &str = "lang";
 const VARIANTS: &str = "voices/!v";
 
-/// All languages, by name.
+/// Returns the voices of all languages, by name.
 pub(super) fn all(host: &dyn Host) -> Result<Vec<VoiceInfo>> {
     let mut out = Vec::new();
     for path in host.files(LANGUAGES)? {
@@ -24,7 +24,7 @@ pub(super) fn all(host: &dyn Host) -> Result<Vec<VoiceInfo>> {
     Ok(out)
 }
 
-/// The voice of a name, with the sex of its variant.
+/// Returns the voice with a name, with the sex of its variant; `None` for an unknown name.
 pub(super) fn named(host: &dyn Host, name: &str) -> Result<Option<VoiceInfo>> {
     let base = file_of(known(name, host)?);
     let found = all(host)?.into_iter().find(|v| v.name == base);
@@ -80,8 +80,8 @@ fn variant_gender(about: &str) -> Option<Gender> {
     }
 }
 
-/// The voice of a language tag: small letters, and without the region where the language's
-/// main voice is of it.
+/// Returns the voice file of a language tag: lower case, without the region if the language's main
+/// voice belongs to it.
 pub(super) fn file_of(tag: &str) -> String {
     match tag.to_ascii_lowercase().as_str() {
         "en-gb" => "en".to_owned(),
@@ -115,7 +115,7 @@ pub(super) fn voice_of(file: &str, about: &str) -> Option<VoiceInfo> {
     })
 }
 
-/// A BCP 47 tag with the usual capitals.
+/// Converts an espeak-ng language name to a BCP 47 tag with the usual capitals.
 pub(super) fn tag(language: &str) -> String {
     let parts = language
         .split('-')
