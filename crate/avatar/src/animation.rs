@@ -54,7 +54,7 @@ struct Channel {
 /// name, or the first for an empty name.
 ///
 /// # Errors
-/// An [`ImportError`] that names the fault.
+/// Returns an [`ImportError`] that describes the problem.
 pub fn convert_animation(name: &str, bytes: &[u8]) -> Result<String, ImportError> {
     let container = Container::open(bytes)?;
     let json = &container.root;

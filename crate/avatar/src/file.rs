@@ -38,7 +38,7 @@ pub enum FileError {
 /// Creates a figure file (GLB) with a face of a face model, usable by any story.
 ///
 /// # Errors
-/// When a figure cannot be read or cannot have the face.
+/// Returns an error if a figure cannot be read or cannot have the face.
 pub fn face_file(parts: FaceFile<'_>) -> Result<Vec<u8>, FileError> {
     let vertices = parts.face.skin.len() / 3;
     // The meshes stay in place, so names on them stay valid.

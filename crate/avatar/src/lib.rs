@@ -72,7 +72,7 @@ pub struct Imported {
 /// Reads a figure of any origin: Raconteur figures directly, others through [`import_figure`].
 ///
 /// # Errors
-/// An [`ImportError`] that names the fault.
+/// Returns an [`ImportError`] that describes the problem.
 pub fn open_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> {
     match read_figure(name, bytes) {
         Ok(figure) => Ok(Imported {
@@ -90,7 +90,7 @@ pub fn open_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> {
 /// Turns any humanoid glTF, GLB or VRM into a figure.
 ///
 /// # Errors
-/// An [`ImportError`] that names the fault.
+/// Returns an [`ImportError`] that describes the problem.
 pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> {
     let container = container::Container::open(bytes)?;
     let json = &container.root;
@@ -168,7 +168,7 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
 /// Converts an avatar into a figure file that `read_figure` accepts.
 ///
 /// # Errors
-/// An [`ImportError`] that names the fault.
+/// Returns an [`ImportError`] that describes the problem.
 pub fn convert(name: &str, bytes: &[u8]) -> Result<(Vec<u8>, Vec<Diagnostic>), ImportError> {
     let imported = open_figure(name, bytes)?;
     Ok((to_glb(&imported.figure), imported.diagnostics))

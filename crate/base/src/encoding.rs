@@ -47,8 +47,8 @@ impl std::error::Error for NotUtf8 {}
 /// Converts bytes to text, with the position of the first byte that is not UTF-8 on failure.
 ///
 /// # Errors
-/// Where they are not UTF-8, or look like UTF-16: that of ASCII characters without a byte
-/// order mark is UTF-8 by the letter, with a NUL at every other place.
+/// Returns an error if the bytes are not UTF-8 or look like UTF-16. UTF-16 that contains only ASCII
+/// characters and has no byte order mark is formally valid UTF-8, with a NUL in every other byte.
 pub fn utf8(bytes: &[u8]) -> Result<&str, NotUtf8> {
     let is_utf16 = is_utf16(bytes);
     let at = match str::from_utf8(bytes) {

@@ -100,10 +100,10 @@ pub struct TextureMaps {
     /// a step of a 127th is [`WRINKLE_HEIGHT_M`] / 127.
     /// [`NodeState::wrinkles`](crate::face::NodeState::wrinkles) gives the visible amount of each.
     ///
-    /// Red: lines across the forehead (frontalis). Green: between the brows (corrugator),
-    /// crow's feet (orbicularis oculi), the furrows beside nose, mouth and on the cheek
-    /// (zygomaticus, levators). Blue: across the root of the nose and on its flanks
-    /// (procerus, nasalis), about the lips (orbicularis oris), dimples of the chin (mentalis).
+    /// Red: lines across the forehead (frontalis). Green: lines between the brows (corrugator),
+    /// crow's feet (orbicularis oculi), the furrows next to the nose and mouth and on the cheek
+    /// (zygomaticus, levators). Blue: lines across the root of the nose and on its sides (procerus,
+    /// nasalis), lines around the lips (orbicularis oris), dimples of the chin (mentalis).
     pub wrinkles: Option<usize>,
 }
 

@@ -5,11 +5,11 @@ use serde::{Deserialize, Serialize};
 
 /// Hair colour by pigments: eumelanin, pheomelanin and the share of grey hairs.
 ///
-/// Absorption by d'Eon, Francois, Hill, Letteri and Aubry 2011 ("An energy-conserving hair
-/// reflectance model", doi:10.1111/j.1467-8659.2011.01976.x); from absorption to the colour
-/// of a head of hair by Chiang, Bitterli, Tappan and Burley 2016 ("A practical and
-/// controllable hair and fur model for production path tracing", doi:10.1111/cgf.12830,
-/// eq. 9 at azimuthal roughness 0.3).
+/// Absorption follows d'Eon, Francois, Hill, Letteri and Aubry 2011 ("An energy-conserving hair
+/// reflectance model", doi:10.1111/j.1467-8659.2011.01976.x). The conversion from absorption to the
+/// colour of a head of hair follows Chiang, Bitterli, Tappan and Burley 2016 ("A practical and
+/// controllable hair and fur model for production path tracing", doi:10.1111/cgf.12830, eq. 9 at
+/// azimuthal roughness 0.3).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HairColour {
     /// Eumelanin: 0.05 blond, 0.25 brown, 1.5 black.

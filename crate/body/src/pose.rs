@@ -7,8 +7,8 @@ use crate::skeleton::{Bone, Drive, Skeleton};
 /// Pose of a figure: local rotations of the 54 bones relative to the zero pose (arms stretched out
 /// sideways, palms down), the root's placement, and the face's rigid parts.
 ///
-/// World from joint is parent · translation · `zero_rotation` · rotation; the lower jaw's
-/// translation has its slide added.
+/// The world-from-joint transform is parent · translation · `zero_rotation` · rotation. The slide
+/// of the lower jaw is added to its translation.
 ///
 /// # Examples
 ///

@@ -33,7 +33,7 @@ static FOLDER: OnceLock<PathBuf> = OnceLock::new();
 /// Gives this folder precedence over all others.
 ///
 /// # Errors
-/// When it is none.
+/// Returns an error if the path is not a folder.
 pub(crate) fn prepend_folder(folder: PathBuf) -> Result<()> {
     ensure!(
         folder.is_dir(),
@@ -69,7 +69,7 @@ pub(crate) fn offer_voices() {
 /// Returns the path of a library file on disk.
 ///
 /// # Errors
-/// When it is not there, or its path leaves the library.
+/// Returns an error if the file does not exist, or its path leaves the library.
 pub(crate) fn find(path: &str) -> Result<PathBuf> {
     let found = match folder() {
         Some(folder) => inside::find(&folder, path)?,
@@ -82,7 +82,7 @@ pub(crate) fn find(path: &str) -> Result<PathBuf> {
 /// otherwise from next to the program.
 ///
 /// # Errors
-/// When it is in none of them, or cannot be read.
+/// Returns an error if none of these contains the file, or it cannot be read.
 pub(crate) fn read(path: &str) -> Result<Cow<'static, [u8]>> {
     let held = match path.split_once('/') {
         Some(("figures", file)) => FIGURES.get_file(file),

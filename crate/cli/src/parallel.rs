@@ -10,7 +10,7 @@ use anyhow::Result;
 /// Applies `work` to each number in parallel and returns the results in order.
 ///
 /// # Errors
-/// The first of `work`'s; what is being made is made first.
+/// Returns the first error of `work`. Work in progress finishes first.
 pub(crate) fn map<T: Send>(
     numbers: Range<u64>,
     work: impl Fn(u64) -> Result<T> + Sync,

@@ -17,7 +17,7 @@ type Pixels = (u32, u32, Vec<u8>);
 /// Uploads a figure and its images to the renderer.
 ///
 /// # Errors
-/// When the figure cannot be drawn or a picture is not one.
+/// Returns an error if the figure cannot be rendered or an image cannot be decoded.
 pub(crate) fn set_figure(headless: &mut Headless, figure: &Figure) -> Result<()> {
     headless.set_figure(figure)?;
     for (index, image) in figure.images.iter().enumerate() {

@@ -61,7 +61,7 @@ impl Document {
     /// Returns the clause of an id that came from this document or its timeline.
     ///
     /// # Panics
-    /// When the id comes from another, longer document.
+    /// Panics if the id comes from another, longer document.
     #[must_use]
     pub fn clause(&self, id: ClauseId) -> &Clause {
         &self.clauses[id.index()]

@@ -23,7 +23,7 @@ impl Attribute {
     /// their mean; their scale is that of the attribute's values.
     ///
     /// # Errors
-    /// When labels are missing or say nothing.
+    /// Returns an error if labels are missing or do not define a direction.
     pub fn learn(
         name: &str,
         space: &FaceSpace,
@@ -53,7 +53,7 @@ impl Attribute {
     /// Creates an attribute from a known direction in face-space coefficients.
     ///
     /// # Errors
-    /// When the direction is none.
+    /// Returns an error if the direction is not usable: the resulting change is not finite.
     pub fn along(name: String, space: &FaceSpace, direction: Vec<f64>) -> Result<Self, FaceError> {
         let mut attribute = Self {
             name,
@@ -96,7 +96,7 @@ impl Attribute {
     /// space that correlates with the measure.
     ///
     /// # Errors
-    /// When the space does not vary in what is measured.
+    /// Returns an error if the measure does not vary in the space.
     pub fn measured(
         name: &str,
         space: &FaceSpace,

@@ -95,7 +95,7 @@ impl VertexNeighbours {
     /// Returns a mask with borders softened for each frequency band, wider for coarser bands.
     ///
     /// # Panics
-    /// When the mask is not of these vertices.
+    /// Panics if the mask does not match these vertices.
     #[must_use]
     pub fn softened(&self, mask: &[f64]) -> SoftMask {
         assert_eq!(mask.len(), self.vertices(), "a mask of these vertices");
@@ -114,7 +114,7 @@ impl VertexNeighbours {
     /// get nothing.
     ///
     /// # Panics
-    /// When the mask or the difference is not of these vertices.
+    /// Panics if the mask or the difference does not match these vertices.
     #[must_use]
     pub fn blended(&self, difference: &[f64], mask: &SoftMask) -> Vec<f64> {
         assert_eq!(

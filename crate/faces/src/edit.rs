@@ -93,7 +93,7 @@ impl Editor {
     /// Creates an editor for the faces of a model.
     ///
     /// # Errors
-    /// When its triangles are not of its vertices.
+    /// Returns an error if the model's triangles do not match its vertices.
     pub fn new(mut model: FaceModel) -> Result<Self, FaceError> {
         let neighbours = VertexNeighbours::from_triangles(&model.triangles, model.vertices());
         let neighbours = neighbours.ok_or_else(|| FaceError::BadPack {
@@ -122,7 +122,7 @@ impl Editor {
     /// Reads the texture part of the model.
     ///
     /// # Errors
-    /// As [`FaceModel::add_texture`].
+    /// Returns the same errors as [`FaceModel::add_texture`].
     pub fn add_texture(&mut self, bytes: &[u8]) -> Result<(), FaceError> {
         self.model.add_texture(bytes)?;
         if let Some(texture) = &mut self.model.texture {
@@ -169,7 +169,7 @@ impl Editor {
     /// Returns a face of the model's database by its index.
     ///
     /// # Errors
-    /// When there is none of that number.
+    /// Returns an error if there is no face with this index.
     pub fn example(&self, index: usize) -> Result<Face, FaceError> {
         let own = self.model.examples.get(index);
         let shape = own.ok_or(FaceError::NoExample {
@@ -184,7 +184,7 @@ impl Editor {
     /// Returns the coefficients of the face in the space of a part that is nearest to a face.
     ///
     /// # Errors
-    /// When the face is of another model, or there are no textures.
+    /// Returns an error if the face is from another model, or there are no textures.
     pub fn coefficients(&self, face: &Face, part: Part) -> Result<Vec<f64>, FaceError> {
         self.space(part)?.coefficients(face.part(part))
     }
@@ -192,7 +192,7 @@ impl Editor {
     /// Returns the attribute value of a face: 0 for the average.
     ///
     /// # Errors
-    /// When there is no such attribute of this part, or the face is of another model.
+    /// Returns an error if this part has no such attribute, or the face is from another model.
     pub fn value(&self, face: &Face, part: Part, name: &str) -> Result<f64, FaceError> {
         let named = self.named(part, name)?;
         let space = self.space(part)?;
@@ -204,7 +204,7 @@ impl Editor {
     /// [`Self::attributes`].
     ///
     /// # Errors
-    /// When the face is of another model, or there are no textures.
+    /// Returns an error if the face is from another model, or there are no textures.
     pub fn values(&self, face: &Face, part: Part) -> Result<Vec<f64>, FaceError> {
         let space = self.space(part)?;
         let own = difference(face.part(part), space)?;
@@ -217,7 +217,7 @@ impl Editor {
     /// For a feature on the whole head, the change is limited to the feature's own segments.
     ///
     /// # Errors
-    /// When there is no such attribute of this part.
+    /// Returns an error if this part has no such attribute.
     pub fn attribute_change(
         &self,
         part: Part,
@@ -248,7 +248,7 @@ impl Editor {
     /// attribute in people.
     ///
     /// # Errors
-    /// When there is no such attribute of this part.
+    /// Returns an error if this part has no such attribute.
     pub fn change_with_all(
         &self,
         part: Part,
@@ -278,7 +278,7 @@ impl Editor {
     /// to 20 years, ageing after that; ages from 8 to 80. Empty if the model has no age data.
     ///
     /// # Errors
-    /// When there are no textures.
+    /// Returns an error if there are no textures.
     pub fn change_of_years(
         &self,
         part: Part,

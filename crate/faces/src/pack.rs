@@ -194,7 +194,7 @@ impl FaceModel {
     /// Serialises the shape part to a file. The same model gives the same bytes.
     ///
     /// # Errors
-    /// When it is too large to be written.
+    /// Returns an error if the part is too large for the format.
     pub fn to_bytes(&self) -> Result<Vec<u8>, FaceError> {
         stored::shape(self)
     }
@@ -202,7 +202,7 @@ impl FaceModel {
     /// Reads the output of [`Self::to_bytes`]; add textures with [`Self::add_texture`].
     ///
     /// # Errors
-    /// When it is something else, broken, or of another version.
+    /// Returns an error if the bytes are of another format, damaged, or of another version.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, FaceError> {
         stored::read_shape(bytes)
     }
@@ -210,8 +210,8 @@ impl FaceModel {
     /// Reads the texture part that [`TextureModel::to_bytes`] wrote into the model.
     ///
     /// # Errors
-    /// When it is something else, broken, of another version or of another model; the model is as it
-    /// was then.
+    /// Returns an error if the bytes are of another format, damaged, of another version or of
+    /// another model; the model is then unchanged.
     pub fn add_texture(&mut self, bytes: &[u8]) -> Result<(), FaceError> {
         let texture = stored::read_texture(bytes)?;
         let vertices = texture.space.length().checked_sub(texture.looks.len());
@@ -231,7 +231,7 @@ impl TextureModel {
     /// Serialises the texture part to a file. The same model gives the same bytes.
     ///
     /// # Errors
-    /// When it is too large to be written.
+    /// Returns an error if the part is too large for the format.
     pub fn to_bytes(&self) -> Result<Vec<u8>, FaceError> {
         stored::texture(self)
     }

@@ -72,10 +72,10 @@ impl AttributeRatings {
     /// Returns the labels of `examples` examples; `None` for unrated ones. Ratings of further
     /// examples are ignored.
     ///
-    /// Each rater's values count in standard deviations from the rater's own mean, so that it does not
-    /// matter how much of the scale somebody uses; who says the same of all faces says nothing. A
-    /// face's label is the mean over its raters, brought to zero mean over the faces that have one, and to
-    /// ±1 at two standard deviations.
+    /// Each rater's values are expressed in standard deviations from the rater's own mean, so it
+    /// does not matter how much of the scale a rater uses. Raters with zero variance are excluded.
+    /// The label of a face is the mean over its raters. Labels are shifted to zero mean over the
+    /// labelled faces and scaled to ±1 at two standard deviations.
     #[must_use]
     pub fn labels(&self, examples: usize) -> Vec<Option<f64>> {
         let mut sums = vec![(0.0_f64, 0_u32); examples];

@@ -46,7 +46,7 @@ impl FaceSpace {
     /// decomposition of equation 3.3. Runs on one thread, so the same examples give the same bits.
     ///
     /// # Errors
-    /// When there are fewer than two examples, or they do not correspond.
+    /// Returns an error if there are fewer than two examples, or they do not correspond.
     #[cfg(any(test, feature = "learn"))]
     pub fn learn(examples: &[Vec<f64>]) -> Result<Self, FaceError> {
         let [first, _, ..] = examples else {
@@ -76,8 +76,8 @@ impl FaceSpace {
     /// mode per independent direction.
     ///
     /// # Errors
-    /// When the basis does not correspond to the mean, or something is not finite; the error counts
-    /// the mean as 0, the basis from 1.
+    /// Returns an error if the basis does not correspond to the mean, or a number is not finite. In
+    /// the error, index 0 is the mean; basis vectors count from 1.
     #[cfg(any(test, feature = "learn"))]
     pub fn of_basis(mean: Vec<f64>, basis: &[Vec<f64>]) -> Result<Self, FaceError> {
         correspond(std::iter::once(&mean).chain(basis), mean.len())?;
@@ -129,7 +129,7 @@ impl FaceSpace {
     /// Returns a mode (principal component) by its index.
     ///
     /// # Panics
-    /// When there is none of that index.
+    /// Panics if there is no mode with this index.
     #[must_use]
     pub fn mode(&self, index: usize) -> &[f64] {
         &self.modes[index * self.length()..(index + 1) * self.length()]
@@ -179,7 +179,7 @@ impl FaceSpace {
     /// Returns the coefficients of the face in the space that is nearest to a face.
     ///
     /// # Errors
-    /// When the face does not correspond.
+    /// Returns an error if the face does not correspond to the space.
     pub fn coefficients(&self, face: &[f64]) -> Result<Vec<f64>, FaceError> {
         if face.len() != self.length() {
             return Err(FaceError::Correspondence {
@@ -211,7 +211,7 @@ impl FaceSpace {
     /// modes only, for each number of modes from none to all.
     ///
     /// # Errors
-    /// When a face does not correspond.
+    /// Returns an error if a face does not correspond to the space.
     pub fn errors_by_modes(&self, faces: &[Vec<f64>]) -> Result<Vec<f64>, FaceError> {
         let mut squares = vec![0.0; self.dimensions() + 1];
         for face in faces {

@@ -198,7 +198,7 @@ impl FigureData {
     /// Packs a figure.
     ///
     /// # Errors
-    /// When it has too many joints or a mesh contradicts itself.
+    /// Returns an error if the figure has too many joints or a mesh is inconsistent.
     pub(crate) fn new(figure: &Figure) -> Result<Self, RenderError> {
         let joints = figure.inverse_bind.len();
         if joints > MAX_JOINTS {

@@ -58,9 +58,9 @@ const TRIES: u32 = 3;
 
 /// Automatic quality control: adapts the rendering options to measured frame times.
 ///
-/// It drops fast and climbs slowly, and since a rung that proved too slow is tried again
-/// only twice, the number of changes is bounded whatever the times are. It goes by the median of the
-/// last frames, so that a single hitch changes nothing.
+/// Quality drops fast and climbs slowly. A quality step that proved too slow is tried again only
+/// twice, so the number of changes is bounded for any frame times. Decisions use the median of the
+/// last frames, so a single hitch changes nothing.
 #[derive(Clone, Debug)]
 pub struct FramePacer {
     at: usize,

@@ -86,7 +86,7 @@ impl GpuFigure {
     /// Uploads a figure without its images; `None` if nothing of it is visible.
     ///
     /// # Errors
-    /// When it has too many joints or a mesh contradicts itself.
+    /// Returns an error if the figure has too many joints or a mesh is inconsistent.
     pub(crate) fn new(
         device: &Device,
         queue: &Queue,
@@ -291,7 +291,7 @@ impl GpuFigure {
     /// Sets a decoded image in the materials that use it; discards an unused one.
     ///
     /// # Errors
-    /// When its bytes do not fit its size, or it is too large.
+    /// Returns an error if the image's bytes do not match its size, or it is too large.
     pub(crate) fn set_image(
         &mut self,
         (device, queue): (&Device, &Queue),

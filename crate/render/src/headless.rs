@@ -44,7 +44,7 @@ impl Headless {
     /// Opens the first available adapter, including software, and creates a renderer.
     ///
     /// # Errors
-    /// When there is none, or it gives no device.
+    /// Returns an error if there is no adapter, or the adapter provides no device.
     pub async fn new(options: RenderOptions) -> Result<Self, RenderError> {
         let instance = wgpu::Instance::default();
         let (adapter, device, queue) = crate::device::open(&instance, None).await?;
@@ -60,7 +60,7 @@ impl Headless {
     /// Opens an adapter like [`Self::new`] and blocks until it is ready.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// Returns the same errors as [`Self::new`].
     pub fn new_blocking(options: RenderOptions) -> Result<Self, RenderError> {
         pollster::block_on(Self::new(options))
     }
@@ -74,7 +74,7 @@ impl Headless {
     /// Uploads a figure; it is rendered until the next one.
     ///
     /// # Errors
-    /// As [`Renderer::set_figure`].
+    /// Returns the same errors as [`Renderer::set_figure`].
     pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
         self.renderer.set_figure(figure)
     }
@@ -83,7 +83,7 @@ impl Headless {
     /// kept.
     ///
     /// # Errors
-    /// As [`Renderer::set_shape`].
+    /// Returns the same errors as [`Renderer::set_shape`].
     pub fn set_shape(
         &mut self,
         before: &Figure,
@@ -96,7 +96,7 @@ impl Headless {
     /// Sets a decoded RGBA image of the figure by its index.
     ///
     /// # Errors
-    /// As [`Renderer::set_image`].
+    /// Returns the same errors as [`Renderer::set_image`].
     pub fn set_image(
         &mut self,
         index: usize,
@@ -120,7 +120,8 @@ impl Headless {
     /// Draws a frame; returns sRGB bytes, RGBA, rows from the top without padding.
     ///
     /// # Errors
-    /// When the size cannot be drawn, the driver refuses, or reading back fails.
+    /// Returns an error if the size cannot be rendered, the driver rejects a call, or reading back
+    /// fails.
     pub fn render_rgba(
         &mut self,
         frame: &Frame,

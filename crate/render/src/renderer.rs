@@ -145,7 +145,8 @@ impl Renderer {
     /// [`Self::set_image`].
     ///
     /// # Errors
-    /// When it has more than 256 joints or a mesh contradicts itself; the figure before stays.
+    /// Returns an error if the figure has more than 256 joints or a mesh is inconsistent; the
+    /// previous figure is then kept.
     pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
         let layouts = &self.shared.layouts;
         self.figure = GpuFigure::new(&self.device, &self.queue, layouts, &self.fallback, figure)?;
@@ -159,7 +160,7 @@ impl Renderer {
     /// strands are kept until a final shape.
     ///
     /// # Errors
-    /// As [`Renderer::set_figure`].
+    /// Returns the same errors as [`Renderer::set_figure`].
     pub fn set_shape(
         &mut self,
         before: &Figure,
@@ -185,8 +186,8 @@ impl Renderer {
     /// the top. An unused one is discarded.
     ///
     /// # Errors
-    /// When the bytes are not four a pixel, or a side is zero or longer than
-    /// [`MAX_SIDE_PX`](crate::MAX_SIDE_PX); the picture before stays.
+    /// Returns an error if there are not four bytes per pixel, or a side is zero or longer than
+    /// [`MAX_SIDE_PX`](crate::MAX_SIDE_PX); the previous image is then kept.
     pub fn set_image(
         &mut self,
         index: usize,
@@ -208,11 +209,12 @@ impl Renderer {
 
     /// Draws a frame into `view`, a texture of the renderer's format and of `size` pixels.
     ///
-    /// Joints, morph weights and nodes of the tissue that the frame lacks stay at rest. In a steady state
-    /// (same figure and size) nothing is allocated on this side of wgpu.
+    /// Joints, morph weights and tissue nodes that the frame lacks stay at rest. In a steady state
+    /// (same figure and size), nothing is allocated on this side of wgpu.
     ///
     /// # Errors
-    /// When the size is zero or beyond the device, or the driver refused a pipeline.
+    /// Returns an error if the size is zero or exceeds the limits of the device, or if the driver
+    /// rejected a pipeline.
     pub fn render(
         &mut self,
         frame: &Frame,

@@ -50,8 +50,8 @@ impl CanvasTarget {
     /// Opens a device for a canvas; its `width` and `height` in pixels are the rendered size.
     ///
     /// # Errors
-    /// When the back end is not built in or not there, or the canvas already serves
-    /// another kind of context.
+    /// Returns an error if the back end is not built in or not available, or if the canvas already
+    /// has a context of another kind.
     pub async fn new(
         canvas: web_sys::HtmlCanvasElement,
         backend: Backend,
@@ -125,7 +125,7 @@ impl CanvasTarget {
     /// Uploads a figure; it is rendered until the next one.
     ///
     /// # Errors
-    /// As [`Renderer::set_figure`].
+    /// Returns the same errors as [`Renderer::set_figure`].
     pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
         self.renderer.set_figure(figure)
     }
@@ -134,7 +134,7 @@ impl CanvasTarget {
     /// kept.
     ///
     /// # Errors
-    /// As [`Renderer::set_shape`].
+    /// Returns the same errors as [`Renderer::set_shape`].
     pub fn set_shape(
         &mut self,
         before: &Figure,
@@ -147,7 +147,7 @@ impl CanvasTarget {
     /// Sets a decoded RGBA image of the figure by its index.
     ///
     /// # Errors
-    /// As [`Renderer::set_image`].
+    /// Returns the same errors as [`Renderer::set_image`].
     pub fn set_image(
         &mut self,
         index: usize,
@@ -204,7 +204,7 @@ impl CanvasTarget {
     /// Renders a frame to the canvas.
     ///
     /// # Errors
-    /// When the driver refuses the renderer or its calls.
+    /// Returns an error if the driver rejects the renderer or its calls.
     pub fn render(&mut self, frame: &Frame) -> Result<RenderStatus, RenderError> {
         if self.is_lost() {
             return Ok(RenderStatus::DeviceLost);

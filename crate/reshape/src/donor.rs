@@ -27,7 +27,7 @@ impl HairDonor {
     /// `vertices` vertices, or with every second, third … vertex of that skin.
     ///
     /// # Errors
-    /// When its head is another.
+    /// Returns an error if the figure has another head.
     pub fn new(figure: &Figure, vertices: usize) -> Result<Self, ReshapeError> {
         let other = |why| ReshapeError::OtherHead { why };
         let head = figure.meshes.iter().find(|m| m.name == "head");

@@ -204,7 +204,7 @@ impl Reshaper {
     /// Prepares a figure whose head begins with the skin of a face model of `vertices` vertices.
     ///
     /// # Errors
-    /// When its head is another.
+    /// Returns an error if the figure has another head.
     pub fn new(figure: Figure, vertices: usize) -> Result<Self, ReshapeError> {
         let other = |why| ReshapeError::OtherHead { why };
         let is_head = |m: &Mesh| m.material.kind == MaterialKind::Skin && m.name == "head";
@@ -263,7 +263,7 @@ impl Reshaper {
     /// Returns the figure with a new face.
     ///
     /// # Errors
-    /// When the face is of another model, or no face.
+    /// Returns an error if the face is from another model, or contains a number that is not finite.
     pub fn with_face(&self, face: &NewFace<'_>) -> Result<Figure, ReshapeError> {
         let (places, tone) = (face.skin.as_chunks::<3>().0, face.tone.as_chunks::<3>().0);
         if places.len() != self.vertices || !(tone.is_empty() || tone.len() == self.vertices) {

@@ -68,7 +68,8 @@ impl Reshaper {
     /// Returns the figure with a face and a look.
     ///
     /// # Errors
-    /// As [`Self::with_face`], and when nobody lends the hair that is asked for.
+    /// Returns the same errors as [`Self::with_face`], and an error if no donor provides the
+    /// requested hair.
     pub fn with_look(
         &self,
         face: &NewFace<'_>,

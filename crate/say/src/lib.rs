@@ -48,7 +48,7 @@ impl Speaker {
     /// Creates a speaker with a voice of the engine called `name`.
     ///
     /// # Errors
-    /// When the engine is not there or has no such voice.
+    /// Returns an error if the engine is not available or has no such voice.
     pub fn new(name: &str, engine: Box<dyn Engine>, voice: &str) -> Result<Self> {
         Ok(Self {
             options: BakeOptions {
@@ -66,7 +66,7 @@ impl Speaker {
     /// in `known`, the text of its bundle.
     ///
     /// # Errors
-    /// When the script is too long, or `known` is no bundle.
+    /// Returns an error if the script is too long, or `known` is not a bundle.
     pub fn begin(&self, eml: &str, is_fragment: bool, known: Option<&str>) -> Result<PageBake> {
         ensure!(
             eml.len() <= MAX_BYTES,
@@ -86,7 +86,7 @@ impl Speaker {
     /// Synthesises the next utterance, see [`PageBake::step`].
     ///
     /// # Errors
-    /// As [`PageBake::step`].
+    /// Returns the same errors as [`PageBake::step`].
     pub fn step(&self, saying: &mut PageBake) -> Result<bool> {
         saying.step(&self.options)
     }

@@ -129,7 +129,7 @@ impl<'m> Examples<'m> {
     /// `like`.
     ///
     /// # Errors
-    /// When the model cannot be read.
+    /// Returns an error if the model cannot be read.
     pub fn new(model: &'m Model, like: FigureParams, seed: u64) -> Result<Self, ModelError> {
         Ok(Self {
             details: model.details()?,
@@ -146,7 +146,7 @@ impl<'m> Examples<'m> {
     /// deformation fields.
     ///
     /// # Errors
-    /// When the model lacks what the traits name.
+    /// Returns an error if the model lacks a target that the traits name.
     pub fn draft(&self, index: u64) -> Result<Draft, ModelError> {
         let mut traits = Traits::random(&self.details, self.seed, index);
         for detail in &self.details {

@@ -67,7 +67,7 @@ impl ReferenceFace {
     /// Reads the mesh (OBJ) and its list of landmarks (JSON with `idx_to_landmark_verts`).
     ///
     /// # Errors
-    /// A [`YardstickError`] that names the first fault.
+    /// Returns a [`ReferenceFaceError`] that describes the first problem.
     pub fn read(obj: &str, landmarks: &str) -> Result<Self, ReferenceFaceError> {
         let scan = Scan::read(obj).map_err(|BadLine(line)| ReferenceFaceError::Line(line))?;
         let mut triangles: Vec<[u32; 3]> = scan.triangles().collect();
@@ -181,7 +181,7 @@ const ROUNDS: usize = 12;
 /// Aligns the yardstick to the figure and measures from the figure's visible face to it.
 ///
 /// # Errors
-/// [`YardstickError::Figure`] when the figure lacks a landmark.
+/// Returns [`ReferenceFaceError::Figure`] if the figure lacks a landmark.
 pub fn deviation(
     figure: &Figure,
     names: &Annotations,

@@ -28,7 +28,8 @@ impl Scan {
     /// are used only if every vertex has one.
     ///
     /// # Errors
-    /// When a line cannot be read or the mesh has more than a million points or faces.
+    /// Returns an error if a line cannot be read, or the mesh has more than a million points or
+    /// faces.
     pub fn read(obj: &str) -> Result<Self, BadLine> {
         let mut scan = Self::default();
         for (i, line) in obj.lines().enumerate() {

@@ -156,7 +156,7 @@ fn contact(r: &mut Reader<'_>, out: &mut Tissue) -> Result<(), TissueError> {
 /// Reads a tissue (soft tissue of a face) from bytes.
 ///
 /// # Errors
-/// Another version, a wrong length, or a value that cannot be.
+/// Returns an error if the version differs, the length is wrong, or a value is impossible.
 pub fn from_bytes(bytes: &[u8]) -> Result<Tissue, TissueError> {
     let mut r = Reader(bytes);
     let version = r.u16()?;

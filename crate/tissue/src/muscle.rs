@@ -49,7 +49,7 @@ impl Anatomy {
     /// Parses a table of muscles, at most 256 with both sides counted.
     ///
     /// # Errors
-    /// What is wrong with the table.
+    /// Returns an error message that describes the problem in the table.
     pub fn read(text: &str) -> Result<Self, String> {
         let rows = crate::table::read(text)?;
         let all = crate::table::for_each_muscle(&rows).map(|(row, side)| Traits {

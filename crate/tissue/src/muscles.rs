@@ -135,10 +135,10 @@ impl Muscles {
     /// Moves the points by contractions, indexed by muscle, and by the protrusion of both lips.
     /// Values out of range are clamped.
     ///
-    /// First every muscle does what its own contraction asks for; then fibres that are grown together
-    /// finds a place between what its members ask for, and linear muscles reach from their
-    /// origins to there (F&H section 3.1.2, "Muscle Deformation"). Nothing depends on the order
-    /// of fibres and links, or on earlier controls.
+    /// First, every muscle moves according to its own contraction. Then connected fibres settle
+    /// between the positions that their members require, and linear muscles extend from their
+    /// origins to the settled positions (F&H section 3.1.2, "Muscle Deformation"). The result does
+    /// not depend on the order of fibres and links, or on earlier controls.
     pub(super) fn contract(&mut self, tissue: &Tissue, contraction: &[f64], protrusion: [f64; 2]) {
         let of = |muscle: Muscle| {
             let asked = contraction.get(muscle.index());

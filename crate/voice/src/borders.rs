@@ -49,7 +49,7 @@ struct Frame {
     level_db: f64,
     /// Level above [`HISS_HZ`] over the whole, decibels.
     hiss_db: f64,
-    /// The same above [`OPEN_HZ`].
+    /// Level above [`OPEN_HZ`], decibels.
     open_db: f64,
 }
 
@@ -169,7 +169,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// Of a phone of the set `radio`.
+    /// Returns the class of a phone of the set `radio`.
     fn from_symbol(symbol: &str) -> Self {
         match symbol {
             "m" | "n" | "ng" => Self::Nasal,
@@ -213,7 +213,7 @@ fn cost(manner: Manner, kind: Kind, frame: &Frame) -> f64 {
     }
 }
 
-/// Of each phone the costs of all steps before a step.
+/// Returns, for each phone, the cumulative costs of all steps before a step.
 fn sums(spoken: &Spoken, frames: &[Frame]) -> Vec<Vec<f64>> {
     spoken
         .segments
@@ -236,7 +236,7 @@ fn sums(spoken: &Spoken, frames: &[Frame]) -> Vec<Vec<f64>> {
 
 struct Paths {
     costs: Vec<Vec<f64>>,
-    /// In order, seconds.
+    /// Times of the bursts, ascending, seconds.
     bursts: Vec<f64>,
     plosive: Vec<bool>,
     vowel: Vec<bool>,
@@ -273,7 +273,7 @@ impl Paths {
         end.saturating_sub(start)
     }
 
-    /// The least length of a phone, steps.
+    /// Returns the minimum length of a phone, steps.
     fn min_steps(&self, phone: usize) -> usize {
         match self.vowel[phone] {
             true => MIN_VOWEL.min(self.engine_steps(phone) + MIN_STEPS),
@@ -289,7 +289,7 @@ impl Paths {
         }
     }
 
-    /// The steps at which a border may be.
+    /// Returns the range of steps in which a border may lie.
     fn choices(&self, border: usize) -> (usize, usize) {
         let (place, (reach, _)) = (self.places[border], self.reach(border));
         let room = MIN_STEPS * (self.places.len() - border);

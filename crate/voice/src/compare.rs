@@ -12,8 +12,8 @@ use crate::signal::f0::{self, PitchTrack};
 use crate::signal::intensity::span_db;
 use raconteur_speech::bundle::{FRAME_SECS, Phone, Syllable, Utterance};
 
-/// Difference between a sound and the neutral one. Only words with an index in the requested span
-/// are compared.
+/// Acoustic difference between an audio and its neutral version. Only words with an index in the
+/// requested span are compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
     /// Factor on the time from the begin of the first word to the end of the last.
@@ -75,7 +75,7 @@ struct Point {
 struct InAccent {
     /// Index of the accent in its sentence.
     index: usize,
-    /// From 0 to 1.
+    /// Position, 0 to 1.
     place: f64,
     /// The pitch in the middle, semitones over 100 Hz.
     centre: f64,
@@ -349,13 +349,13 @@ fn inside(u: &Utterance, pauses: &[(usize, f64)]) -> usize {
     pauses.iter().filter(|(word, _)| !ends(*word)).count()
 }
 
-/// Decibels as a factor of amplitude.
+/// Converts decibels to a factor of amplitude.
 #[must_use]
 pub fn amplitude(db: f64) -> f64 {
     ops::exp(db / 20.0 * LN_10)
 }
 
-/// Semitones as a factor of frequency.
+/// Converts semitones to a factor of frequency.
 #[must_use]
 pub fn frequency(semitones: f64) -> f64 {
     ops::exp(semitones / 12.0 * LN_2)

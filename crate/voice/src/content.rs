@@ -3,14 +3,14 @@
 
 use crate::text::SayAs;
 
-/// The content, in order.
+/// Text of an utterance with its speech markup, as a sequence of segments.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Content {
     /// Texts, pauses, and openings and closings of markup.
     pub segments: Vec<Segment>,
 }
 
-/// Span or point of an utterance.
+/// Element of a content: text, a pause, a recording, or the start or end of markup.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Segment {
     /// Characters; words may go on in the next text.
@@ -26,11 +26,11 @@ pub enum Segment {
     Division(Division),
     /// A recording.
     Audio {
-        /// Its path or address, as the author wrote it.
+        /// Path or URL as written by the author.
         src: String,
-        /// It plays under the speech that follows instead of before it.
+        /// True if the recording plays under the speech that follows; otherwise it plays before it.
         background: bool,
-        /// Its amplitude; 1 as recorded.
+        /// Amplitude factor; 1 plays the recording unchanged.
         level: f64,
     },
     /// Mark that sends an event to listeners.
@@ -41,20 +41,20 @@ pub enum Segment {
     Close,
 }
 
-/// The melody before a pause.
+/// Intonation before a pause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Boundary {
-    /// As after a question.
+    /// Intonation of a question.
     Question,
-    /// As after an exclamation.
+    /// Intonation of an exclamation.
     Exclamation,
-    /// As after a statement.
+    /// Intonation of a statement.
     Statement,
-    /// As when more is coming.
+    /// Intonation of an incomplete phrase, as before a comma.
     Comma,
 }
 
-/// Unit separated by a division.
+/// Unit of text whose boundary a division marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Division {
     /// Sentences.
@@ -63,7 +63,7 @@ pub enum Division {
     Paragraph,
 }
 
-/// Change of a property.
+/// Change of a speech property by markup: a factor, an absolute value or the default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Setting {
     /// A factor on the value around it; changes inside each other multiply.
@@ -74,7 +74,7 @@ pub enum Setting {
     Default,
 }
 
-/// Speech markup of its content.
+/// Speech markup that applies to the content it encloses.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Markup {
     /// Emphasis on SABLE's scale: 0 reduced, 0.5 none, 1 moderate, 2 strong.
@@ -85,7 +85,7 @@ pub enum Markup {
         base: Option<Setting>,
         /// The middle line: its mean.
         middle: Option<Setting>,
-        /// Its range around the middle; values are hertz from the lowest to the highest.
+        /// Pitch range around the middle; values are hertz from the lowest to the highest.
         range: Option<Setting>,
     },
     /// Pace; values are words a minute.
@@ -94,9 +94,9 @@ pub enum Markup {
     Volume(Setting),
     /// Pronunciation; one of them, or both.
     Pronunciation {
-        /// In the International Phonetic Alphabet.
+        /// Pronunciation in the International Phonetic Alphabet.
         ipa: Option<String>,
-        /// In a spelling that sounds like it.
+        /// Respelling with the intended sound.
         sub: Option<String>,
         /// Language of origin.
         origin: Option<String>,
@@ -114,9 +114,9 @@ pub enum Markup {
         /// Alternative text.
         data: String,
     },
-    /// In an emotion (F&H table 4.4), from −100 to 100 each.
+    /// Emotion in which the content is spoken (F&H table 4.4); each dimension from −100 to 100.
     Emotion {
-        /// Its word; may be empty.
+        /// Emotion word; may be empty.
         name: String,
         /// Passive to active.
         activation: f64,
@@ -129,18 +129,18 @@ pub enum Markup {
     Other,
 }
 
-/// Speaker properties given by a text.
+/// Speaker that markup selects: the properties that its voice should have.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Speaker {
-    /// Sex.
+    /// Sex of the speaker; `None` if the text does not specify it.
     pub gender: Option<Gender>,
-    /// Age.
+    /// Age of the speaker; `None` if the text does not specify it.
     pub age: Option<Age>,
-    /// The voice's name.
+    /// Name of the voice; `None` if the text does not specify it.
     pub name: Option<String>,
 }
 
-/// A speaker's sex.
+/// Sex of a speaker, used to select a voice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gender {
     /// A man.
@@ -149,23 +149,23 @@ pub enum Gender {
     Female,
 }
 
-/// A speaker's age.
+/// Age of a speaker, used to select a voice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Age {
     /// Old.
     Older,
-    /// In the middle of life.
+    /// Middle-aged speaker.
     Middle,
     /// Young.
     Younger,
-    /// Half grown.
+    /// Adolescent speaker.
     Teen,
     /// A child.
     Child,
 }
 
 impl Content {
-    /// A text without any markup.
+    /// Creates content from a text without markup.
     #[must_use]
     pub fn plain(text: &str) -> Self {
         Self {
@@ -174,7 +174,7 @@ impl Content {
     }
 }
 
-/// XML's white space. A no-break space joins.
+/// Returns true for the white space of XML. A no-break space joins words.
 pub(crate) fn is_space(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\n' | '\r')
 }

@@ -23,7 +23,7 @@ use raconteur_speech::bundle::SentenceKind;
 const SPREAD: f64 = 0.35;
 /// Minimum and maximum of default pauses, seconds.
 const PAUSE_SECS: (f64, f64) = (0.2, 2.5);
-/// After a comma, and after a semicolon, a colon or a dash: medians, seconds.
+/// Median pauses, seconds: after a comma, and after a semicolon, a colon or a dash.
 const PHRASE_SECS: f64 = 0.24;
 const CLAUSE_SECS: f64 = 0.38;
 /// Factor for the pause between sentences before and after direct speech.
@@ -109,7 +109,7 @@ fn tension_of(planned: &Planned, quoted: &[bool], opens: bool, closes: bool) -> 
     tension.clamp(0.0, 1.0)
 }
 
-/// The usual lengths of the pauses in and after a sentence.
+/// Sets the usual pauses within and after a sentence.
 fn rests(planned: &mut Planned, factor: f64, turns: bool) {
     let tokens = &planned.sentence.tokens;
     let seed = seed(tokens);
@@ -142,7 +142,7 @@ fn seed(tokens: &[Token]) -> u64 {
     letters.fold(0, |seed, byte| hash(seed, u64::from(byte), 0))
 }
 
-/// A nearly normal number.
+/// Returns a nearly normal random number with standard deviation 1.
 fn normal(seed: u64, at: i64) -> f64 {
     noise::normal(core::array::from_fn(|i| unit(seed, 2 + i as u64, at)))
 }

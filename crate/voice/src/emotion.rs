@@ -6,20 +6,21 @@ use crate::realise::phrases_of;
 use crate::spoken::Spoken;
 use raconteur_speech::emotion::{self, EmotionPoint};
 
-/// An emotion over words of an utterance.
+/// Emotion over a span of words of an utterance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EmotionSpan {
-    /// Its word.
+    /// Emotion word.
     pub name: String,
     /// Position in the emotion space at full strength.
     pub place: EmotionPoint,
-    /// From the begin of this word …
+    /// Index of the first word of the span.
     pub first_word: usize,
     /// … strongest at the begin of this one; one beyond the last is at the end …
     pub apex_word: usize,
     /// … until the end of this one.
     pub last_word: usize,
-    /// It grows and fades in a line, as emoticons do, rather than being there throughout.
+    /// True if the emotion rises and falls linearly, as for emoticons; otherwise it is constant
+    /// over the span.
     pub fades: bool,
 }
 
@@ -117,7 +118,7 @@ pub fn place_of(emotions: &[EmotionSpan], word: usize) -> EmotionPoint {
     })
 }
 
-/// The phrases of all sentences as first and last words.
+/// Returns the phrases of all sentences as first and last word.
 #[must_use]
 pub fn word_phrases(sentences: &[Planned], spoken: &[Spoken]) -> Vec<(usize, usize)> {
     let mut out = Vec::new();
@@ -240,7 +241,8 @@ pub fn moved_pauses(
     moved
 }
 
-/// The token in the middle of the longest run without a pause, with its sentence.
+/// Returns the token in the middle of the longest run without a pause, with its sentence; `None`
+/// without a run.
 fn longest_run_middle(
     sentences: &[Planned],
     own: &[InsertedPause],

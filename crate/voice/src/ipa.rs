@@ -11,7 +11,7 @@ use raconteur_speech::phones::{self, Class};
 /// Longest pronunciation that is read, in characters.
 const MAX_CHARACTERS: usize = 200;
 
-/// Phone set of an engine.
+/// Phone set of an engine, to which IPA pronunciations are converted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Set {
     /// Festival's and flite's American English.
@@ -28,12 +28,12 @@ pub(super) enum Set {
     EspeakPt,
 }
 
-/// A syllable of a pronunciation.
+/// Syllable of an IPA pronunciation, converted to an engine's phones.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Syllable {
     /// Stress: 0 none, 1 primary, 2 secondary.
     pub(super) stress: u8,
-    /// In the engine's phones.
+    /// Phones in the engine's set.
     pub(super) phones: Vec<&'static str>,
 }
 
@@ -249,8 +249,8 @@ enum IpaSymbol {
 /// syllable gets the maximal onset.
 ///
 /// # Errors
-/// When a character is no phone of the table, when there is no vowel, or when it is longer
-/// than 200 characters.
+/// Returns an error if a character is not a phone of the table, if there is no vowel, or if the
+/// pronunciation is longer than 200 characters.
 pub(super) fn syllables(ipa: &str, set: Set) -> Result<Vec<Syllable>> {
     // The groups between marks.
     let mut groups: Vec<(u8, Vec<&Row>)> = vec![(0, Vec::new())];
@@ -335,7 +335,7 @@ pub(super) fn spans(letters: &[char], set: Set) -> Vec<(usize, u8, &'static str)
     out
 }
 
-/// Kokoro's letters for two phones.
+/// Returns the two IPA letters for which Kokoro writes one letter; `None` for other letters.
 fn written_as_one(letter: char) -> Option<&'static str> {
     Some(match letter {
         'I' => "aɪ",
@@ -401,7 +401,7 @@ pub(super) fn starts<'a>(phones: impl Iterator<Item = &'a str>, set: Set) -> Vec
     divide(&rows)
 }
 
-/// Is a phone of an engine a vowel?
+/// Returns true if a phone of an engine is a vowel.
 pub(super) fn is_vowel(phone: &str, set: Set) -> bool {
     let name = match set {
         Set::Radio => "radio",
@@ -483,7 +483,7 @@ fn pieces(ipa: &str) -> Result<Vec<IpaSymbol>> {
     Ok(out)
 }
 
-/// The row of the longest name that the text begins with, and its length.
+/// Returns the row with the longest IPA name that begins the text, and the length of the name.
 fn find(text: &[char]) -> Option<(&'static Row, usize)> {
     TABLE
         .iter()

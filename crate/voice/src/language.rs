@@ -46,7 +46,7 @@ pub fn tag(name: &str) -> Option<String> {
     fine.then_some(name)
 }
 
-/// The language of a tag without its region, in small letters.
+/// Returns the primary language of a tag, without its region, in lower case.
 #[must_use]
 pub fn primary(tag: &str) -> String {
     let first = tag.split(['-', '_']).next();

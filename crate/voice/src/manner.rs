@@ -3,7 +3,7 @@
 use raconteur_speech::bundle::SILENCE;
 use raconteur_speech::phones::{Class, find};
 
-/// Manner of articulation.
+/// Manner of articulation of a phone, as relevant for changing its duration and pitch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Manner {
     /// Vowels and diphthongs.
@@ -14,7 +14,7 @@ pub enum Manner {
     Plosive,
     /// Friction, affricates with it.
     Fricative,
-    /// No sound, or a recording.
+    /// Silence, or a recording between words.
     Silence,
 }
 

@@ -20,7 +20,7 @@ const STEP_SECS: f64 = 0.005;
 pub struct Proportion {
     /// Number of cases in which it holds.
     pub count: usize,
-    /// Number of cases.
+    /// Total number of cases.
     pub of: usize,
 }
 
@@ -30,7 +30,7 @@ impl Proportion {
         self.of += 1;
     }
 
-    /// Both together.
+    /// Adds the counts of another proportion.
     pub fn add(&mut self, other: Self) {
         self.count += other.count;
         self.of += other.of;
@@ -72,7 +72,7 @@ impl Power {
     }
 }
 
-/// Measurements of spoken audio.
+/// Measurements of synthesised audio, compared with the phones of its labels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeasuredSpeech {
     /// Plosive bursts that were found, at their phones.
@@ -84,7 +84,7 @@ pub struct MeasuredSpeech {
 }
 
 impl MeasuredSpeech {
-    /// Both together.
+    /// Adds the measurements of another audio.
     pub fn add(&mut self, other: &Self) {
         self.bursts.add(other.bursts);
         self.vowels.add(other.vowels);
@@ -92,7 +92,7 @@ impl MeasuredSpeech {
         self.pauses.add(other.pauses);
     }
 
-    /// Returns the level of pauses below speech, decibels.
+    /// Returns the level of speech above the level of its pauses, decibels.
     #[must_use]
     pub fn pauses_under_db(&self) -> f64 {
         self.speech.db() - self.pauses.db()

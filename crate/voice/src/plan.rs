@@ -19,7 +19,7 @@ use raconteur_speech::bundle::SentenceKind;
 /// between sentences.
 pub const SENTENCE_PAUSE_SECS: f64 = 0.6;
 
-/// The same between two paragraphs. *Designed*: 1 to 1.6 s.
+/// Silence between two paragraphs, seconds. *Designed*: 1 to 1.6 s.
 pub const PARAGRAPH_PAUSE_SECS: f64 = 1.15;
 
 /// Silence where only the speaker or the language changes. *Designed*.
@@ -36,7 +36,7 @@ const MAX_SENTENCE_TOKENS: usize = 100;
 /// The most tokens of an utterance: some hours of speech.
 const MAX_TOKENS: usize = 100_000;
 
-/// An utterance, ready for engines.
+/// Utterance prepared for speech engines: sentences, words, pauses and recordings.
 ///
 /// # Examples
 ///
@@ -53,7 +53,7 @@ const MAX_TOKENS: usize = 100_000;
 pub struct Plan {
     /// Silence before the first word requested by the author, seconds.
     pub lead_pause_secs: f64,
-    /// In order.
+    /// Sentences in the order of speech.
     pub sentences: Vec<Planned>,
     /// The words as written, in order, each with the signs on their own that belong to it.
     pub words: Vec<String>,
@@ -65,16 +65,16 @@ pub struct Plan {
     pub emoticons: Vec<(usize, &'static str)>,
 }
 
-/// Sentence with additional data for the baker.
+/// Sentence with additional data for the baker, the program that synthesises speech ahead of time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Planned {
-    /// For the engine.
+    /// Sentence to pass to the engine.
     pub sentence: Sentence,
     /// Silence after each token, if requested by the author, seconds.
     pub pauses: Vec<Option<f64>>,
     /// Usual length of a pause after each token, seconds; 0 or missing: as made by the engine.
     pub rests: Vec<f64>,
-    /// Speaker.
+    /// Speaker that the markup requests.
     pub speaker: Speaker,
     /// Silence after it, seconds.
     pub pause_secs: f64,
@@ -84,27 +84,27 @@ pub struct Planned {
     pub continues: bool,
 }
 
-/// Recording requested by an utterance.
+/// Recording that an utterance requests between or under its words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sound {
     /// Index of the word that follows it.
     pub word: usize,
-    /// Its path or address, as the author wrote it.
+    /// Path or URL as written by the author.
     pub src: String,
-    /// It plays under the speech.
+    /// True if the recording plays under the speech.
     pub background: bool,
-    /// Its amplitude; 1 as recorded.
+    /// Amplitude factor; 1 plays the recording unchanged.
     pub level: f64,
 }
 
-/// Error returned when an utterance cannot be planned.
+/// Error returned when an utterance cannot be prepared for engines.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlanError {
     /// The utterance requests too much silence.
     #[error("its breaks add up to {0:.1} s; an utterance may hold 60 s of them")]
     TooMuchSilence(f64),
-    /// It is too long.
+    /// Utterance with more than 100,000 tokens.
     #[error("it has more than 100000 tokens; part it into several utterances")]
     TooLong,
 }
@@ -115,7 +115,7 @@ pub enum PlanError {
 /// tag; `engine` the name of the engine that will speak.
 ///
 /// # Errors
-/// When the silences add up to more than a minute, or there is too much to say.
+/// Returns an error if the silences add up to more than a minute, or the content is too long.
 pub fn plan(
     content: &Content,
     language: &str,
@@ -178,7 +178,7 @@ struct Planner<'a> {
     signs: Vec<String>,
     /// The open sentence ends before the next word.
     is_over: bool,
-    /// Of the waiting words, where they are not written as the voice's language is.
+    /// Script of the pending words if it differs from the script of the voice's language.
     script: Option<Script>,
     language: &'a str,
     lexicon: &'a Lexicon,

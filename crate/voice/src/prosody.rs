@@ -2,47 +2,47 @@
 
 use raconteur_speech::emotion::EmotionPoint;
 
-/// The shape of a pitch accent.
+/// Shape of a pitch accent that an emotion prefers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AccentShape {
-    /// From high to low.
+    /// Accent that falls from high to low.
     Falling,
-    /// From low to high.
+    /// Accent that rises from low to high.
     Rising,
     /// The one after the other.
     Alternating,
 }
 
-/// Effect of an emotion on the voice: factors relative to a neutral voice; 1 is no change.
+/// Effect of an emotion on the voice, as factors relative to neutral speech; 1 is no change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prosody {
-    /// On the mean of the fundamental frequency.
+    /// Factor on the mean fundamental frequency.
     pub pitch: f64,
-    /// On the frequency at the end of a phrase against its begin.
+    /// Factor on the frequency at the end of a phrase relative to its beginning.
     pub pitch_dynamics: f64,
-    /// On the range of the fundamental frequency.
+    /// Factor on the range of the fundamental frequency.
     pub range: f64,
-    /// On the range at the end of a phrase against its begin.
+    /// Factor on the range at the end of a phrase relative to its beginning.
     pub range_dynamics: f64,
-    /// On the height of accents.
+    /// Factor on the height of accents.
     pub accent_prominence: f64,
-    /// On the steepness of accents.
+    /// Factor on the steepness of accents.
     pub accent_slope: f64,
     /// Preferred accent shape in place of the engine's; `None` leaves it.
     pub accent_shape: Option<AccentShape>,
     /// True if phrases end high, `false` for low; `None` leaves them.
     pub ends_high: Option<bool>,
-    /// On the pace.
+    /// Factor on the speech rate.
     pub rate: f64,
-    /// On the number of pauses inside sentences.
+    /// Factor on the number of pauses inside sentences.
     pub number_of_pauses: f64,
-    /// On the length of pauses.
+    /// Factor on the duration of pauses.
     pub pause_duration: f64,
-    /// On the length of vowels, nasals and liquids.
+    /// Factor on the duration of vowels, nasals and liquids.
     pub sonorant_duration: f64,
-    /// On the length of plosives and fricatives.
+    /// Factor on the duration of plosives and fricatives.
     pub obstruent_duration: f64,
-    /// On the amplitude.
+    /// Factor on the amplitude.
     pub volume: f64,
 }
 

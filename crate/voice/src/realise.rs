@@ -47,14 +47,14 @@ pub fn emphasis(level: f64) -> (f64, f64, f64) {
     (mix(low.1, high.1), mix(low.2, high.2), mix(low.3, high.3))
 }
 
-/// Neutral values of the voice in an utterance, the reference for absolute values.
+/// Neutral pitch, rate and level of the voice in an utterance, the reference for absolute settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VoiceBaseline {
     /// Mean of the pitch on a musical scale, hertz.
     pub mean_hz: f64,
     /// The base line: the twentieth part of the pitch is lower, hertz.
     pub base_hz: f64,
-    /// From there to where a twentieth part is higher, hertz.
+    /// Distance from the 5th to the 95th percentile of the pitch, hertz.
     pub range_hz: f64,
     /// Words a minute, pauses inside sentences included.
     pub words_a_minute: f64,
@@ -174,7 +174,7 @@ impl Grid {
     }
 }
 
-/// A running mean over [`GLIDE_SECS`].
+/// Smooths values with a running mean over [`GLIDE_SECS`].
 fn glide(values: &mut Vec<f64>) {
     let half = (GLIDE_SECS / STEP_SECS / 2.0) as usize;
     let mut sums = Vec::with_capacity(values.len() + 1);
@@ -261,7 +261,7 @@ fn plosive_factor(factor: f64, length: f64, left: f64) -> f64 {
     }
 }
 
-/// Start and end of a span of segments.
+/// Returns start and end of a run of segments, seconds from the start of the sentence.
 fn span(spoken: &Spoken, first: usize, count: usize) -> (f64, f64) {
     let end = |i: usize| spoken.segments.get(i).map_or(0.0, |s| s.end_secs);
     let start = first.checked_sub(1).map_or(0.0, end);
@@ -318,7 +318,7 @@ fn grid(spoken: &Spoken, track: &PitchTrack, deliveries: &[Delivery], own: &Voic
     grid
 }
 
-/// First and last token of every phrase.
+/// Returns the first and last token of every phrase.
 #[must_use]
 pub fn phrases_of(spoken: &Spoken, tokens: usize) -> Vec<(usize, usize)> {
     let mut phrases = Vec::new();

@@ -9,7 +9,7 @@ use raconteur_speech::emotion::EmotionPoint;
 
 use raconteur_spoken::{SpokenClause, spoken_clauses};
 
-/// Speech requested by a script.
+/// Speech requested by a clause of a script, as input of the bake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpeechRequest {
     /// The key of its utterance.
@@ -26,7 +26,7 @@ pub struct SpeechRequest {
     pub span: eml::Span,
 }
 
-/// Source of spoken words.
+/// Source of spoken words: the script, SABLE markup or a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
     /// The script.
@@ -35,9 +35,9 @@ pub enum Source {
     Sable(String),
     /// A file.
     File {
-        /// Its path; it stays in its folder.
+        /// Path of the file, which must stay in the script's folder.
         path: String,
-        /// It is a document of SABLE.
+        /// True if the file is a SABLE document.
         sable: bool,
         /// True if it is in the asset library instead of next to the story.
         library: bool,

@@ -13,7 +13,7 @@ use raconteur_eml::emoticon::{self, Spaced};
 /// Nesting depth beyond which markup has no effect.
 const MAX_DEPTH: usize = 1000;
 
-/// Content with its markup resolved.
+/// Content with its markup resolved to a style for each word.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resolved {
     /// Words and events, in order.
@@ -22,12 +22,12 @@ pub struct Resolved {
     pub styles: Vec<Style>,
 }
 
-/// Spoken item, or event between words.
+/// Spoken word, or event between words.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
     /// Token between white space that contains a letter or digit.
     Word {
-        /// With the punctuation that is attached to it.
+        /// Word with its attached punctuation.
         text: String,
         /// Index of its style: that of its first letter or digit.
         style: usize,
@@ -52,11 +52,11 @@ pub enum Item {
     Division(Division),
     /// A recording.
     Audio {
-        /// Its path or address.
+        /// Path or URL of the recording.
         src: String,
-        /// It plays under the speech that follows.
+        /// True if the recording plays under the speech that follows.
         background: bool,
-        /// Its amplitude; 1 as recorded.
+        /// Amplitude factor; 1 plays the recording unchanged.
         level: f64,
     },
     /// Mark that sends an event to listeners. Inside a word it precedes that word.
@@ -64,7 +64,7 @@ pub enum Item {
 }
 
 impl Resolved {
-    /// The words in order.
+    /// Iterates over the words in order.
     pub fn words(&self) -> impl Iterator<Item = &str> {
         self.items.iter().filter_map(|item| match item {
             Item::Word { text, .. } => Some(text.as_str()),
@@ -72,7 +72,7 @@ impl Resolved {
         })
     }
 
-    /// The words in order, each with its style.
+    /// Returns the words in order, each with its style.
     #[must_use]
     pub fn styled_words(&self) -> Vec<(&str, &Style)> {
         let styled = |item| match item {
@@ -352,7 +352,7 @@ impl Content {
         resolved.words().map(str::to_owned).collect()
     }
 
-    /// The words with single spaces.
+    /// Returns the words joined with single spaces.
     #[must_use]
     pub fn plain_text(&self) -> String {
         self.words().join(" ")

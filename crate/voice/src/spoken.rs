@@ -2,12 +2,12 @@
 
 use raconteur_speech::bundle::SentenceKind;
 
-/// Sentence, spoken in one pass by one voice.
+/// Sentence as input of a speech engine, spoken in one pass by one voice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sentence {
-    /// At least one.
+    /// Tokens of the sentence; at least one.
     pub tokens: Vec<Token>,
-    /// Sentence type.
+    /// Type of the sentence.
     pub kind: SentenceKind,
     /// BCP 47 tag of its language.
     pub language: String,
@@ -26,7 +26,7 @@ impl Default for Sentence {
     }
 }
 
-/// Token, read by an engine as one word.
+/// Token of a sentence, read by a speech engine as one word.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Token {
     /// Index of the written word that it belongs to.
@@ -46,26 +46,26 @@ pub struct Token {
     pub style: usize,
 }
 
-/// A sentence as an engine spoke it.
+/// Audio of a sentence with its phones and syllables, as returned by a speech engine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spoken {
     /// Mono, −1 to 1.
     pub samples: Vec<f64>,
-    /// Samples a second.
+    /// Sample rate, Hz.
     pub rate_hz: f64,
-    /// One of [`raconteur_speech::phones::PHONE_SETS`].
+    /// Phone set of the segments, one of [`raconteur_speech::phones::PHONE_SETS`].
     pub phone_set: String,
-    /// In order; the first begins at 0, and each where the one before it ends. The last ends
-    /// with the sound, within 50 ms.
+    /// Phones in order, without gaps; the first begins at 0. The last ends with the audio, within
+    /// 50 ms.
     pub segments: Vec<Segment>,
-    /// In order.
+    /// Syllables in order.
     pub syllables: Vec<SpokenSyllable>,
     /// Ends of intonational phrases: index of the last token and, if the engine reports it, the
     /// boundary tone in ToBI.
     pub breaks: Vec<(usize, String)>,
 }
 
-/// One phone as an engine timed it.
+/// Phone of a sentence, with its time as reported by the engine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Segment {
     /// Symbol; [`raconteur_speech::bundle::SILENCE`] is silence.
@@ -76,7 +76,7 @@ pub struct Segment {
     pub token: Option<usize>,
 }
 
-/// One syllable as an engine spoke it.
+/// Syllable of a sentence as reported by the engine, a run of segments.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SpokenSyllable {
     /// Index of its first segment.
@@ -90,7 +90,7 @@ pub struct SpokenSyllable {
 }
 
 impl Segment {
-    /// Returns true if it is silent.
+    /// Returns true if the segment is silence.
     #[must_use]
     pub fn is_silent(&self) -> bool {
         self.symbol == raconteur_speech::bundle::SILENCE

@@ -4,13 +4,13 @@ use crate::content::{Markup, Setting, Speaker};
 use crate::text::SayAs;
 use raconteur_speech::emotion::EmotionPoint;
 
-/// Speech without emphasis, as SABLE counts it.
+/// Emphasis of speech without markup, on SABLE's scale.
 pub const NO_EMPHASIS: f64 = 0.5;
 
 /// Limit of the factor of a setting, or of its inverse; beyond it a voice is unrecognisable.
 pub const MAX_FACTOR: f64 = 4.0;
 
-/// Property value resolved from all surrounding markup.
+/// Value of a speech property, resolved from all surrounding markup.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amount {
     /// Requested value, in the property's unit; `None`: the voice's own.
@@ -47,26 +47,26 @@ impl Amount {
         }
     }
 
-    /// The value, where the voice's own is `own`.
+    /// Returns the value for a voice whose own value is `own`.
     #[must_use]
     pub fn apply(self, own: f64) -> f64 {
         self.value.unwrap_or(own) * self.factor
     }
 
-    /// The factor on the voice's own value, within [`MAX_FACTOR`] and its inverse.
+    /// Returns the factor on the voice's own value, limited to [`MAX_FACTOR`] and its inverse.
     #[must_use]
     pub fn factor_on(self, own: f64) -> f64 {
         (self.apply(own) / own).clamp(1.0 / MAX_FACTOR, MAX_FACTOR)
     }
 
-    /// Returns true if it leaves the voice unchanged.
+    /// Returns true if the value leaves the voice unchanged.
     #[must_use]
     pub fn is_default(self) -> bool {
         self == Self::default()
     }
 }
 
-/// Speech style of a word.
+/// Speech style of a word: emphasis, pitch, rate, loudness and speaker, resolved from the markup.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
     /// SABLE's level of emphasis: 0 reduced, [`NO_EMPHASIS`], 1 moderate, 2 strong.
@@ -81,7 +81,7 @@ pub struct Style {
     pub rate: Amount,
     /// Amplitude against the voice's own; a value is a factor too. May be 0: silence.
     pub volume: f64,
-    /// Text type.
+    /// Text type of the word, which determines its reading; `None` for ordinary text.
     pub say_as: Option<SayAs>,
     /// Pronunciation in the International Phonetic Alphabet.
     pub ipa: Option<String>,
@@ -89,7 +89,7 @@ pub struct Style {
     pub instead: Option<String>,
     /// Language, as the author wrote it.
     pub language: Option<String>,
-    /// Speaker.
+    /// Speaker that the markup requests.
     pub speaker: Speaker,
     /// Emotion requested by markup, with its word.
     pub emotion: Option<(String, EmotionPoint)>,

@@ -6,7 +6,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use raconteur_player::LoadStage;
 use wasm_bindgen::prelude::*;
 
-/// Activities of an instance; the numbers are `Doing` in `web/element/engine/trap.ts`.
+/// Current activity of a module instance, for reports of a trap; the numbers are `Doing` in
+/// `web/element/engine/trap.ts`.
 #[derive(Clone, Copy)]
 #[repr(u32)]
 pub(crate) enum Activity {
@@ -42,7 +43,7 @@ impl From<LoadStage> for Activity {
 
 static ACTIVITY: AtomicU32 = AtomicU32::new(Activity::Nothing as u32);
 
-/// Records an activity until it is dropped, which a trap never does.
+/// Guard that records an activity until it is dropped; a trap never drops it.
 pub(crate) struct ActivityGuard;
 
 impl ActivityGuard {

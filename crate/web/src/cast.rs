@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 use crate::message::Performer;
 use crate::player::plain;
 
-/// The figure, voice and language that a text chooses; a `Performer`.
+/// Returns the figure, voice and language that a text chooses, as a `Performer`.
 #[wasm_bindgen(js_name = performerOf)]
 pub fn performer(eml: &str) -> Result<JsValue, JsError> {
     plain(&Performer::from_performer(Some(&performer_of(eml))))

@@ -12,8 +12,8 @@ use crate::reading::provide;
 #[wasm_bindgen]
 #[allow(clippy::needless_pass_by_value, reason = "lists arrive as owned only")]
 impl Player {
-    /// The names of animations that the story or live clauses play and that have not been
-    /// provided: of the library, or paths in the story's folder.
+    /// Returns the names of animations that the story or live clauses play and that have not been
+    /// provided: names in the library, or paths in the story's folder.
     #[wasm_bindgen(js_name = wantedAnimations)]
     pub fn needed_animations(&self) -> Vec<String> {
         let performer = self.performer.as_ref();

@@ -55,9 +55,9 @@ impl Player {
         numbers
     }
 
-    /// The articulation, as 10 numbers for each segment of all utterances:
-    /// start, end, from when to when it dominates fully (story seconds), its dominance over
-    /// opening, rounding, spreading and tongue, and its rates before and after, 1/s.
+    /// Returns ten numbers for each speech segment: start, end, start and end of full dominance
+    /// (story seconds), dominance over opening, rounding, spreading and tongue, rate of dominance
+    /// before and after, 1/s.
     pub fn segments(&self) -> Vec<f32> {
         let mut numbers = Vec::new();
         for (start, track) in self.performer.iter().flat_map(Performer::lips) {
@@ -69,7 +69,7 @@ impl Player {
         numbers
     }
 
-    /// The names of the phones of `segments`, as the table of phones has them.
+    /// Returns the phone of each segment in `segments`, by its name in the phone table.
     #[wasm_bindgen(js_name = segmentNames)]
     pub fn segment_names(&self) -> Vec<String> {
         let tracks = self.performer.iter().flat_map(Performer::lips);

@@ -11,7 +11,8 @@ use crate::player::plain;
 #[derive(Serialize)]
 struct DecodedScript {
     text: String,
-    /// That some of its bytes are not UTF-8; the parser cannot know.
+    /// Diagnostic for bytes that are not UTF-8, which the parser cannot detect; `None` if there are
+    /// none.
     #[serde(skip_serializing_if = "Option::is_none")]
     problem: Option<Diagnostic>,
 }

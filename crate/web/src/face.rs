@@ -71,7 +71,8 @@ impl Player {
         Ok(())
     }
 
-    /// The natural colours of hair, from dark to pale, as `NaturalHair`s; `rgb` is linear.
+    /// Returns the natural hair colours from dark to pale, as `NaturalHair` objects; `rgb` is
+    /// linear.
     #[wasm_bindgen(js_name = naturalHair)]
     pub fn natural_hair(&self) -> Result<JsValue, JsError> {
         let entries = HairColour::NATURAL

@@ -5,7 +5,7 @@ use raconteur_player::{
 };
 use serde::Serialize;
 
-/// Questions of a story and the paths through it.
+/// Questions of a story and the paths through it, for the page's lesson interface.
 #[derive(Debug, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Lesson {
@@ -14,7 +14,7 @@ pub struct Lesson {
 }
 
 impl Lesson {
-    /// Creates it from the cues of a script.
+    /// Creates the lesson from the cues of a script.
     #[must_use]
     pub fn new(questions: Vec<QuestionCue>, ways: Vec<WayCue>) -> Self {
         Self {

@@ -7,13 +7,13 @@ use serde::Serialize;
 
 use crate::lesson::Lesson;
 
-/// A story that was read.
+/// Summary of a loaded story for the page: duration, utterances, performer and diagnostics.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Story {
-    /// Length, seconds.
+    /// Duration of the story, seconds.
     pub duration_secs: f64,
-    /// Its utterances, by time.
+    /// Utterances of the story, by time.
     pub utterances: Vec<Utterance>,
     /// The performer that it chooses.
     pub performer: Performer,
@@ -24,7 +24,7 @@ pub struct Story {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// The figure, voice and language that a story chooses.
+/// Figure, voice and language that a story chooses.
 #[derive(Debug, Default, Serialize)]
 pub struct Performer {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -36,7 +36,7 @@ pub struct Performer {
 }
 
 impl Performer {
-    /// As the language has it.
+    /// Converts the performer of a parsed story; without one, nothing is chosen.
     #[must_use]
     pub fn from_performer(performer: Option<&eml::Performer>) -> Self {
         performer.map_or_else(Self::default, |p| Self {
@@ -47,7 +47,7 @@ impl Performer {
     }
 }
 
-/// A problem of the story's text.
+/// Problem in the story's text, with its position, for the page.
 #[derive(Debug, Serialize)]
 pub struct Diagnostic {
     code: &'static str,
@@ -63,13 +63,13 @@ pub struct Diagnostic {
 #[serde(rename_all = "camelCase")]
 struct Position {
     line: u32,
-    /// In characters.
+    /// Column in characters.
     column: u32,
-    /// In UTF-16 units, as JavaScript counts.
+    /// Column in UTF-16 units, as JavaScript counts.
     column_utf16: u32,
 }
 
-/// An utterance.
+/// Utterance of a story for the page: time, audio files and words.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Utterance {
@@ -99,7 +99,7 @@ struct Word {
     emphasized: bool,
 }
 
-/// A piece of music.
+/// Piece of music under the story, for the page: time, file and levels.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct MusicPiece {
@@ -124,7 +124,7 @@ impl From<MusicCue> for MusicPiece {
     }
 }
 
-/// Expression of emotions by the environment.
+/// Expression of an emotion by the environment, for the page: light, shot and camera angle.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct EnvironmentExpression {
@@ -172,17 +172,17 @@ impl From<raconteur_player::EnvironmentExpression> for EnvironmentExpression {
     }
 }
 
-/// The outcome of a fragment.
+/// Result of performing a fragment (a piece of a live story), for the page.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Performance {
     /// Events for its sender.
     pub events: Vec<Event>,
-    /// Its utterances, by time.
+    /// Utterances of the fragment, by time.
     pub utterances: Vec<Utterance>,
     /// The index of the first of them.
     pub first_utterance: usize,
-    /// Its questions.
+    /// Questions of the fragment.
     #[serde(flatten)]
     pub lesson: Lesson,
     /// End of everything known, story time, seconds.
@@ -192,7 +192,7 @@ pub struct Performance {
     pub cut: Option<InterruptionOutcome>,
 }
 
-/// Result of an interruption of fragments.
+/// Result of interrupting fragments of a live performance: its time and the new end.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct InterruptionOutcome {
@@ -203,7 +203,7 @@ pub struct InterruptionOutcome {
 }
 
 impl Story {
-    /// The story that a player has read from `source`.
+    /// Creates the summary of the story that a player read from `source`.
     #[must_use]
     pub fn new(
         source: &str,

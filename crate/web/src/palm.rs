@@ -10,9 +10,8 @@ const fn side(left: bool) -> Side {
     if left { Side::Left } else { Side::Right }
 }
 
-/// The directions of the palm's outward normal and of the fingers (world, unit; 6 numbers)
-/// that a normal and an angle of EML (its axes, degrees) mean. Empty for a normal without
-/// direction.
+/// Returns the directions of the palm's outward normal and of the fingers (world, unit; 6 numbers)
+/// for a normal and an angle of EML (its axes, degrees). Empty for a normal without direction.
 #[wasm_bindgen(js_name = handDirections)]
 pub fn hand_directions(left: bool, x: f64, y: f64, z: f64, angle_deg: f64) -> Vec<f64> {
     let normal = Units::axis([x, y, z]).normalize_or_zero();

@@ -41,7 +41,7 @@ enum TickStatus {
     NoPicture = 3,
 }
 
-/// A storyteller: a story, a figure, and a canvas if there is one.
+/// Storyteller for a web page: a story, a figure, and a canvas if there is one.
 #[wasm_bindgen]
 pub struct Player {
     pub(crate) performer: Option<Performer>,
@@ -169,7 +169,7 @@ impl Player {
         self.image(index).map(|i| i.mime_type.clone())
     }
 
-    /// Returns the bytes of an image file.
+    /// Returns the bytes of the image file with an index; `None` if they were not provided.
     #[wasm_bindgen(js_name = imageBytes)]
     pub fn image_bytes(&self, index: usize) -> Option<Vec<u8>> {
         self.image(index).map(|i| i.bytes.clone())
@@ -324,7 +324,8 @@ impl Player {
         }
     }
 
-    /// Size of the canvas in CSS pixels, and device pixels for each of them.
+    /// Sets the size of the canvas: width and height in CSS pixels, and device pixels per CSS
+    /// pixel.
     pub fn resize(&mut self, width: f64, height: f64, dpr: f64) {
         let pixels = |css: f64| {
             let wanted = (css * dpr).round();
@@ -348,7 +349,7 @@ impl Player {
         }
     }
 
-    /// The music under the performance; `MusicPiece`s.
+    /// Returns the music under the performance, as a list of `MusicPiece`.
     pub fn music(&self) -> Result<JsValue, JsError> {
         let music = self.performer.as_ref().map(Performer::music);
         let music = music.unwrap_or_default().into_iter();
@@ -366,7 +367,7 @@ impl Player {
         plain(&expressed.map(EnvironmentExpression::from))
     }
 
-    /// The cues passed since the last call.
+    /// Returns the cues passed since the last call.
     #[wasm_bindgen(js_name = drainEvents)]
     pub fn drain_events(&mut self) -> Result<JsValue, JsError> {
         match &mut self.performer {

@@ -36,7 +36,7 @@ pub fn pose_digests(
     Ok(digests.map(|digest| format!("{digest:016x}")).collect())
 }
 
-/// Has a figure read a story.
+/// Loads a story for a figure; returns its performer and the summary of the story.
 pub(crate) fn read(
     eml: &str,
     bundle: Option<&[u8]>,

@@ -39,7 +39,7 @@ struct ClipHeader {
 /// Parses a clip in the JSON keyframe format (docs/animation.md).
 ///
 /// # Errors
-/// A sentence that says what is wrong, and in which track.
+/// Returns an error message that describes the problem and names the track.
 pub fn read_clip(text: &str) -> Result<Clip, String> {
     if text.len() > MAX_BYTES {
         return Err("it is larger than 8 MB".to_owned());

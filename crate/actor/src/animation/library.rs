@@ -24,7 +24,8 @@ impl Library {
     /// name.
     ///
     /// # Errors
-    /// A sentence that says what is wrong with the text; the library is as it was.
+    /// Returns an error message that describes the problem in the text; the library is then
+    /// unchanged.
     pub fn add(&mut self, name: &str, text: &str) -> Result<(), String> {
         let clip = Arc::new(read_clip(text)?);
         self.clips.retain(|(n, _)| n != name);
@@ -36,7 +37,8 @@ impl Library {
     /// name, replacing any of that name.
     ///
     /// # Errors
-    /// A sentence that says what is wrong with the text; the library is as it was.
+    /// Returns an error message that describes the problem in the text; the library is then
+    /// unchanged.
     pub fn add_parameters(&mut self, name: &str, text: &str) -> Result<(), String> {
         let clip = Arc::new(ParameterClip::read(text)?);
         self.parameters.retain(|(n, _)| n != name);

@@ -95,8 +95,8 @@ impl Players {
     /// Applies the animations of a time to an idle pose. Returns `None` and leaves the pose
     /// unchanged when there are none. Allocates nothing.
     ///
-    /// Spine and sway keep the idle motion; arms keep the idle pose, since gestures come
-    /// later: see [`Animated::blend_arm`].
+    /// The spine keeps its idle motion and the body its sway. The arms keep the idle pose, because
+    /// gestures are applied later: see [`AnimatedPose::blend_arm`].
     #[must_use]
     pub fn apply(
         &self,

@@ -99,8 +99,9 @@ impl ExpressionWeights {
     /// 0 to 1: (ω − ω₁) / (ω₂ − ω₁) by angles; `ratios`: distances from the centre relative to each
     /// emotion's own.
     ///
-    /// Muscles with antagonists take the plain sums of equation 4.10 whatever the share: they
-    /// jump where another basic emotion becomes a neighbour. [`Mixture::on_disc`] mends that.
+    /// Muscles with antagonists take the plain sums of equation 4.10 regardless of the share, so
+    /// they jump where another basic emotion becomes a neighbour. [`ExpressionWeights::on_disc`]
+    /// fixes that.
     #[must_use]
     pub fn printed(between: [BasicEmotion; 2], share: f64, ratios: [f64; 2]) -> Self {
         let mut mixture = Self::default();

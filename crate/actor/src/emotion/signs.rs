@@ -34,13 +34,13 @@ pub struct EmotionSigns {
 /// Emotions whose signs are known, by their words, in percent and, for angles, hundredths of
 /// a radian: blush, gaze down, head down, breath rate, breath depth, liveliness.
 ///
-/// Blood: blushing in shame and anger, pallor in fear (Darwin 1872, The Expression of the
-/// Emotions in Man and Animals, chapters 12 and 13). Head and gaze: bowed in shame and
-/// sadness, raised in pride (Keltner 1995, doi:10.1037/0022-3514.68.3.441; Tracy & Robins
-/// 2004, doi:10.1111/j.0956-7976.2004.01503008.x). Breath: fast and deep in excitement, fast
-/// and shallow in fear, slow in sadness (Boiten, Frijda & Wientjes 1994,
-/// doi:10.1016/0167-8760(94)90027-2). Movement: less in sadness (F&H section 4.4.4). The
-/// amounts are designed.
+/// Blood: blushing in shame and anger, pallor in fear (Darwin 1872, The Expression of the Emotions
+/// in Man and Animals, chapters 12 and 13). Head and gaze: bowed in shame and sadness, raised in
+/// pride (Keltner 1995, doi:10.1037/0022-3514.68.3.441; Tracy & Robins 2004,
+/// doi:10.1111/j.0956-7976.2004.01503008.x). Breathing: fast and deep in excitement, fast and
+/// shallow in fear, slow in sadness (Boiten, Frijda & Wientjes 1994,
+/// doi:10.1016/0167-8760(94)90027-2). Movement: reduced in sadness (F&H section 4.4.4). The amounts
+/// are designed.
 const KNOWN: [(&str, [i8; 6]); 8] = [
     ("joy", [25, 0, -3, 15, 10, 25]),
     ("surprise", [0, 0, -4, 10, 35, 35]),

@@ -146,9 +146,8 @@ impl Breathing {
 /// Emotions of a performance, prepared; gives expression and other signs at any story time.
 /// Evaluation is a pure function of time and allocates nothing.
 ///
-/// Emotions that are in force together are mixed by their strengths, which are never more
-/// than 1 together; where their muscles pull against each other the stronger ones win (F&H
-/// equation 4.10).
+/// Simultaneous emotions are blended by their strengths, whose sum is never more than 1. Where
+/// their muscles are antagonists, the stronger ones win (F&H equation 4.10).
 #[derive(Clone, Debug, Default)]
 pub struct EmotionTrack {
     /// Spans one after the other: each begins when the one before it in its lane is over.

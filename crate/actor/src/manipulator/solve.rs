@@ -129,10 +129,10 @@ impl Manipulators {
 
     /// Solves the goal of a limb at a time from that goal alone.
     ///
-    /// Joints that meet their target turn as steadily as it does. Those that cannot, because
-    /// of their limits or their reach, may have to change from one way of not meeting it to
-    /// another; then they take the mean of the last goals, by a cubic B-spline over
-    /// even times. It is smooth whatever lies between, and stays within limits.
+    /// Joints that reach their target turn as steadily as it does. Joints that cannot, because of
+    /// their limits or their reach, may have to switch from one way of missing it to another. They
+    /// then take the mean of the last goals, by a cubic B-spline over uniformly spaced times. The
+    /// result is smooth for any goals in between, and stays within limits.
     pub(super) fn solve_static(
         &self,
         limb: Limb,

@@ -22,8 +22,8 @@ const MIN_HEIGHT: f64 = 0.15;
 /// with their height in the speaker's range, minima without. Returns false if too little of the
 /// audio is known.
 ///
-/// Heights are on a scale of semitones and not of hertz as in the thesis, so that one
-/// threshold fits low and high voices.
+/// Heights are on a scale of semitones, not of hertz as in the thesis, so one threshold fits low
+/// and high voices.
 pub(super) fn extremes(timed: &TimedUtterance, threshold: f64, out: &mut Vec<Extreme>) -> bool {
     let f0 = &timed.utterance.f0;
     let Some(frames) = bridged(f0) else {

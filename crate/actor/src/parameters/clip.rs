@@ -58,7 +58,7 @@ impl ParameterClip {
     /// Parses an animation of control parameters from JSON.
     ///
     /// # Errors
-    /// A sentence that says what is wrong, and with which parameter.
+    /// Returns an error message that describes the problem and names the parameter.
     pub fn read(text: &str) -> Result<Self, String> {
         if text.len() > MAX_BYTES {
             return Err("it is larger than 1 MB".to_owned());

@@ -16,8 +16,8 @@ const ARTICLES: &str = "der die das den dem des am vom zum zur im beim ein eine 
 /// Separate signs count as words. A sentence that ends twice, after a word and after the sign
 /// behind it, ends once. `language` is `None` for an unsupported language.
 ///
-/// A sentence ends with `.`, `!`, `?` or `…` where the next word does not begin small, but not with
-/// the full stop of an abbreviation, an initial or a German ordinal.
+/// A sentence ends with `.`, `!`, `?` or `…` if the next word does not start with a lower-case
+/// letter. The full stop of an abbreviation, an initial or a German ordinal does not end it.
 #[must_use]
 pub fn ends_after(words: &[Word<'_>], at: usize, language: Option<Language>) -> bool {
     let Some(word) = words.get(at) else {

@@ -105,8 +105,8 @@ fn mesh_of(value: &Value, counts: &[u64], what: &'static str) -> Result<usize, R
 /// lists.
 ///
 /// # Errors
-/// A [`ReadError`] when the container is none, when an entry has a wrong type, or when it
-/// names a mesh, vertex or parent that does not exist.
+/// Returns a [`ReadError`] if the file is not a valid GLB container, if an entry has a wrong type,
+/// or if an entry names a mesh, vertex or parent that does not exist.
 pub fn annotations(glb: &[u8]) -> Result<Annotations, ReadError> {
     const LANDMARK: &str = "a landmark";
     const SEGMENT: &str = "a segment";

@@ -94,7 +94,7 @@ pub enum ReadError {
 /// Reads a figure from glTF binary; `name` becomes its name.
 ///
 /// # Errors
-/// A [`ReadError`] that names the first fault found.
+/// Returns a [`ReadError`] that describes the first problem found.
 pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
     let root = Document::read(glb)?;
     if let Some(e) = root

@@ -302,7 +302,7 @@ impl Bone {
     /// Returns the bone of one side by its name without the side, for example `wrist`.
     ///
     /// # Panics
-    /// When there is no such bone; names come from code, not from input.
+    /// Panics if the bone does not exist; names come from code, not from input.
     #[must_use]
     #[allow(clippy::expect_used, reason = "called with literals only")]
     pub fn on(side: Side, part: &str) -> Self {
@@ -342,8 +342,8 @@ fn source_axes(row: &Row) -> DMat3 {
 
 /// Returns the orientation of every bone in the zero pose, world from bone.
 ///
-/// Midline rows lie within 1.3° of upright (noise of the example skeleton) and are set
-/// upright; the right side mirrors the left.
+/// The table rows of midline bones lie within 1.3° of upright (noise of the example skeleton) and
+/// are set upright. The right side mirrors the left.
 #[must_use]
 pub fn zero_frames() -> [DQuat; Bone::COUNT] {
     Bone::ALL.map(|bone| {

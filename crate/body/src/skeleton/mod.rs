@@ -96,8 +96,9 @@ impl Skeleton {
     /// Builds a skeleton from the world positions and orientations of the bones in the
     /// bind pose, and the eyes' centres. Helpers of [`standard_helpers`] are added.
     ///
-    /// `bind_rotations` are world from bone in the bind pose: the zero frames, turned by
-    /// the bind pose. Only differences between bind and zero pose matter to skinning.
+    /// `bind_rotations` are the world-from-bone rotations in the bind pose: the zero frames,
+    /// rotated by the bind pose. Skinning depends only on differences between the bind pose and the
+    /// zero pose.
     #[must_use]
     pub fn from_bind(
         positions_in_world: &[DVec3; Bone::COUNT],

@@ -23,8 +23,8 @@ const MAX_IDLE_SECS: f64 = 86_400.0;
 /// Perform fragments sent by minds (programs that control a live performance), and report events as
 /// JSON lines.
 ///
-/// A mind sends fragments of EML by WebSocket (one a message), TCP or standard input (each
-/// ends with the line that closes it). See docs/live.md.
+/// A mind sends fragments of EML by WebSocket (one per message), TCP or standard input (each
+/// fragment ends with the line that closes it). See docs/live.md.
 #[derive(Args)]
 pub(crate) struct Serve {
     /// Script, or folder that contains a story.eml, to perform meanwhile; its speech bundle is the

@@ -16,7 +16,7 @@ const MP3_RATE: &str = "80k";
 /// Writes the sound in the format that the path's ending names.
 ///
 /// # Errors
-/// For another ending, or when an encoder is missing or fails.
+/// Returns an error if the extension is unknown, or an encoder is missing or fails.
 pub(crate) fn encode(sound: &Stereo, path: &Path) -> Result<()> {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     let scratch = tempfile::tempdir().context("making a folder for the sound")?;

@@ -54,7 +54,7 @@ fn class(name: &str) -> Result<(f64, &str)> {
 /// Parses the MIDI number of a note such as `F#4`; C4 is 60.
 ///
 /// # Errors
-/// When it is none.
+/// Returns an error if `name` is not a note.
 pub(crate) fn pitch(name: &str) -> Result<f64> {
     let (class, octave) = class(name)?;
     let octave: i8 = octave
@@ -67,7 +67,7 @@ pub(crate) fn pitch(name: &str) -> Result<f64> {
 /// Parses a chord such as `Am7` or `C/E`.
 ///
 /// # Errors
-/// When it is none.
+/// Returns an error if `name` is not a chord.
 pub(crate) fn chord(name: &str) -> Result<Chord> {
     let (above, below) = match name.split_once('/') {
         Some((above, below)) => (above, Some(below)),

@@ -29,7 +29,7 @@ pub(crate) struct Music {
 /// Plays a score.
 ///
 /// # Errors
-/// Where the score means nothing.
+/// Returns an error if the score is invalid.
 pub(crate) fn play(score: &Score) -> Result<Music> {
     Ok(Music {
         sound: mix::mix(score, &score.parts()?),
@@ -66,7 +66,7 @@ impl Music {
     /// Writes an audio file in the format of its extension: `wav`, `opus` or `mp3`.
     ///
     /// # Errors
-    /// For another ending, or when an encoder is missing or fails.
+    /// Returns an error if the extension is unknown, or an encoder is missing or fails.
     pub(crate) fn write(&self, path: &Path) -> Result<()> {
         encode::encode(&self.sound, path)
     }

@@ -99,7 +99,7 @@ impl Score {
     /// Reads a score.
     ///
     /// # Errors
-    /// When it is not JSON of this format, or its numbers make no sense.
+    /// Returns an error if the text is not JSON of this format, or its numbers are invalid.
     pub(crate) fn read(json: &str) -> Result<Self> {
         let score: Self = serde_json::from_str(json).context("the score cannot be read")?;
         ensure!(
@@ -163,7 +163,7 @@ impl Score {
     /// Returns every track with its notes.
     ///
     /// # Errors
-    /// Where a name, a chord or a cell means nothing, or there are too many notes.
+    /// Returns an error if a name, a chord or a cell is invalid, or there are too many notes.
     pub(crate) fn parts(&self) -> Result<Vec<Part>> {
         let mut parts: Vec<Part> = self.tracks.iter().cloned().map(Part::new).collect();
         let mut first_bar = 0;
@@ -338,7 +338,7 @@ impl Cell<'_> {
 /// Checks the invariants for any text: it is rejected, or its notes lie in the piece.
 ///
 /// # Panics
-/// Where it does not hold.
+/// Panics if an invariant does not hold.
 pub fn assert_valid(text: &str) {
     let Ok((score, parts)) = Score::read(text).and_then(|s| s.parts().map(|p| (s, p))) else {
         return;

@@ -141,7 +141,7 @@ impl Framer {
 /// empty, none longer than the limit.
 ///
 /// # Panics
-/// Where it does not hold.
+/// Panics if an invariant does not hold.
 pub fn assert_valid(bytes: &[u8]) {
     const LIMIT: usize = 64;
     let fragments = |packet: usize| {

@@ -60,7 +60,7 @@ pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
 /// the rest of one line.
 ///
 /// # Panics
-/// Where it does not hold.
+/// Panics if an invariant does not hold.
 pub fn assert_valid(bytes: &[u8]) {
     for n in 0..=bytes.len().min(MAX_GREETING_BYTES) {
         match read(&bytes[..n]) {

@@ -40,7 +40,7 @@ impl PendingConnections {
     /// Adds a connection, and evicts the oldest one if the list is full: its reads end.
     ///
     /// # Errors
-    /// When there are no more handles.
+    /// Returns an error if no more handles are available.
     pub(crate) fn enter(&self, stream: &TcpStream) -> io::Result<PendingGuard> {
         let handle = stream.try_clone()?;
         let mut waiting = self.lock();

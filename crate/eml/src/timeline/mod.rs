@@ -67,11 +67,11 @@ impl Timeline {
     /// Resolves every time of a document. Clauses whose time cannot be resolved are
     /// reported and left out with everything in them.
     ///
-    /// A plain number counts from the start of the script, in a par from its start, and
-    /// in a seq from the end of the clause before. An expression that names a moment
-    /// counts from the start of the script wherever it stands. Each repetition of a
-    /// group is the first one moved in time. When something would start before 0,
-    /// everything is delayed (GEVH D.2, fig. 3.13).
+    /// A plain number counts from the start of the script; in a par from the start of the par; in a
+    /// seq from the end of the previous clause. An expression that names a time counts from the
+    /// start of the script, regardless of its position. Each repetition of a group is a copy of the
+    /// first, shifted in time. If a clause would start before 0, everything is delayed (GEVH D.2,
+    /// fig. 3.13).
     #[must_use]
     pub fn resolve(document: &Document, durations: &dyn Durations) -> Resolved {
         Self::resolve_with(document, durations, &Limits::default())

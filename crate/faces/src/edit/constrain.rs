@@ -29,8 +29,9 @@ impl Editor {
     /// each in its region.
     ///
     /// # Errors
-    /// When no multiples meet them all, or an attribute is none; the face is as it was then. The first
-    /// constraint that contradicts those before it is named.
+    /// Returns an error if no multiples satisfy all constraints, or an attribute does not exist;
+    /// the face is then unchanged. The error names the first constraint that contradicts the ones
+    /// before it.
     pub fn constrain(&self, face: &mut Face, held: &[Constraint]) -> Result<(), FaceError> {
         for part in [Part::Shape, Part::Texture] {
             let own: Vec<&Constraint> = held.iter().filter(|c| c.part == part).collect();
@@ -55,7 +56,8 @@ impl Editor {
     /// is the same for every face.
     ///
     /// # Errors
-    /// When an attribute is none, or one of those that are kept says what the attribute does.
+    /// Returns an error if an attribute does not exist, or if a kept attribute is equivalent to the
+    /// changed one.
     pub fn change_alone(&self, part: Part, name: &str, kept: &[&str]) -> Result<Change, FaceError> {
         if self.named(part, name)?.feature.is_some() {
             return self.attribute_change(part, name, &Region::whole_head());

@@ -45,7 +45,8 @@ impl Editor {
     /// Learns the features of these measures and returns them in the same order.
     ///
     /// # Errors
-    /// When an attribute or a segment is none, or the segments do not reach what is measured.
+    /// Returns an error if an attribute or a segment does not exist, or if the segments do not
+    /// affect the measure.
     pub fn learn_features(&self, measures: &[FeatureMeasure]) -> Result<Vec<Feature>, FaceError> {
         let mut features = vec![Feature::default(); measures.len()];
         for (i, measure) in measures.iter().enumerate() {

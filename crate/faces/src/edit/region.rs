@@ -106,7 +106,7 @@ impl Editor {
     /// and no half are given.
     ///
     /// # Errors
-    /// When a segment is none.
+    /// Returns an error if a segment does not exist.
     pub fn region(&self, names: &[&str], half: Option<Half>) -> Result<Region, FaceError> {
         if names.is_empty() && half.is_none() {
             return Ok(Region::whole_head());

@@ -120,7 +120,8 @@ impl Ratings {
     /// Parses a tab-separated table of ratings.
     ///
     /// # Errors
-    /// When a line is broken, or there are too many; the first such line is named.
+    /// Returns an error if a line is malformed, or there are too many lines; the error names the
+    /// first such line.
     pub fn parse(text: &str) -> Result<Self, RatingError> {
         let mut ratings = Self::default();
         let mut has_header = false;
@@ -212,7 +213,8 @@ impl Ratings {
     /// Adds the ratings of another table.
     ///
     /// # Errors
-    /// When a rater has rated a face in both; the line is that of the other table.
+    /// Returns an error if both tables contain a rating of the same face by the same rater; the
+    /// line in the error is that of the other table.
     pub fn merge(&mut self, other: Self) -> Result<(), RatingError> {
         for (attribute, of) in other.attributes {
             for (rater, rated) in of.raters {
@@ -227,7 +229,7 @@ impl Ratings {
     /// Checks that all rated faces are among the given number of examples.
     ///
     /// # Errors
-    /// When one is not; the first such line is named.
+    /// Returns an error if a rated face is not among them; the error names the first such line.
     pub fn check_faces(&self, examples: usize) -> Result<(), RatingError> {
         let raters = self.attributes.values().flat_map(|of| of.raters.values());
         let beyond = raters.flat_map(|rated| rated.range(examples..));

@@ -12,7 +12,7 @@ impl FaceSpace {
     /// uncorrelated over the faces.
     ///
     /// # Errors
-    /// When faces or signals do not correspond.
+    /// Returns an error if faces or signals do not correspond.
     pub fn with_local(&self, faces: &[Vec<f64>], signals: &[Vec<f64>]) -> Result<Self, FaceError> {
         for signal in signals {
             if signal.len() != faces.len() {

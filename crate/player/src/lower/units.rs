@@ -23,9 +23,9 @@ pub struct Units {
 impl Units {
     /// Returns the units of a figure at the world's origin.
     ///
-    /// The speaker's origin is hung from the shoulders rather than read from the pelvis:
-    /// the example skeleton's hips are higher than anatomy's, and what a script means by a
-    /// place is its relation to the arms.
+    /// The speaker's origin is derived from the shoulders instead of the pelvis, because the hips
+    /// of the example skeleton are higher than anatomical ones, and positions in a script are meant
+    /// relative to the arms.
     #[must_use]
     pub fn from_skeleton(skeleton: &Skeleton) -> Self {
         let mut world = Vec::new();

@@ -56,7 +56,7 @@ fn open_loops(faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
 /// vertex (those of no face stay at the origin) and the borders of the holes without bridges.
 ///
 /// # Panics
-/// Never: the system is positive definite by the rows that hold.
+/// Never panics: the fixed rows make the system positive definite.
 #[allow(clippy::expect_used, reason = "held rows make the system definite")]
 pub(crate) fn harmonic(
     faces: &[Vec<u32>],
@@ -117,7 +117,7 @@ pub(crate) fn harmonic(
 /// Flattens triangles into the plane as conformally as possible, with two vertices fixed.
 ///
 /// # Panics
-/// Never, as for [`harmonic`].
+/// Never panics, for the same reason as [`harmonic`].
 #[allow(clippy::expect_used, reason = "held rows make the system definite")]
 pub(crate) fn conformal(
     triangles: &[[u32; 3]],

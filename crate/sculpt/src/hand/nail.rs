@@ -46,8 +46,8 @@ impl Nail {
     /// Returns the plate's surface over a point of the finger: palmar coordinate (negative), half
     /// width there, and position along the plate, 0 at the buried root to 1 at the free edge.
     ///
-    /// The plate follows the finger's section, its sides tucked in, and runs straight on
-    /// where the pulp rounds off.
+    /// The plate follows the finger's cross-section, with its sides tucked in, and continues
+    /// straight where the pulp rounds off.
     pub(super) fn plate(self, finger: &Finger, lateral: f64, along: f64) -> (f64, f64, f64) {
         let (root, end) = (finger.along(self.root), finger.along(self.end));
         let width = finger.section((root + end) / 2.0).half_width * self.width * 1.04;

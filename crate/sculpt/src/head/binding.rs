@@ -181,7 +181,7 @@ impl ModelHeadShape {
     /// Evaluates the body model for the traits of a person.
     ///
     /// # Errors
-    /// When the model lacks what the traits name.
+    /// Returns an error if the model lacks a target that the traits name.
     pub fn evaluate(model: &Model, traits: &Traits) -> Result<Self, ModelError> {
         Ok(Binding::new(model.faces()).bind(&model.shape(traits)?))
     }

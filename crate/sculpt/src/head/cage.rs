@@ -348,7 +348,7 @@ impl Cage {
     /// Index of a vertex.
     ///
     /// # Panics
-    /// When the key names no vertex; keys come from code.
+    /// Panics if the key does not name a vertex; keys come from code.
     #[allow(
         clippy::expect_used,
         reason = "keys come from code and the topology is fixed"

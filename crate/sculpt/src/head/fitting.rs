@@ -150,7 +150,7 @@ impl Fitting<'_> {
 /// measures reach wanted values: standard deviations from the mean for sex and age, by measure.
 ///
 /// # Errors
-/// When the model lacks what the traits name.
+/// Returns an error if the model lacks a target that the traits name.
 pub fn fit_measures(
     model: &Model,
     traits: &Traits,

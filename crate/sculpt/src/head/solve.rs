@@ -144,7 +144,7 @@ impl Fairness {
 /// Solves the cage for the points of the left half, mirrored.
 ///
 /// # Panics
-/// When the normal equations are singular, which the fixed topology and table rule out.
+/// Panics if the normal equations are singular. The fixed topology and table rule that out.
 #[allow(
     clippy::expect_used,
     reason = "depends on the built-in topology and table only"

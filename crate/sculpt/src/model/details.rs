@@ -63,7 +63,7 @@ impl Model {
     /// Returns the details that shape a usual head, in the order of the names of their groups.
     ///
     /// # Errors
-    /// When the model's list of targets is missing or broken.
+    /// Returns an error if the model's list of targets is missing or damaged.
     pub fn details(&self) -> Result<Vec<Detail>, ModelError> {
         let path = self.folder.join("targets/target.json");
         of_heads(&text(&path)?).map_err(|e| ModelError::Format {

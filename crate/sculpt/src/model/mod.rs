@@ -77,7 +77,7 @@ impl Model {
     /// Opens the body model in the folder that `npm run model` creates.
     ///
     /// # Errors
-    /// When the base mesh is missing or broken.
+    /// Returns an error if the base mesh is missing or damaged.
     pub fn open(folder: &Path) -> Result<Self, ModelError> {
         let path = folder.join("3dobjs/base.obj");
         let text = text(&path)?;
@@ -106,7 +106,7 @@ impl Model {
     /// Returns the vertex positions of the base mesh for a person, mm.
     ///
     /// # Errors
-    /// When a target cannot be read or a detail has none.
+    /// Returns an error if a target cannot be read or a detail has no target.
     pub fn shape(&self, traits: &Traits) -> Result<Vec<DVec3>, ModelError> {
         let mut shape = self.base.clone();
         for (name, weight) in macros::targets(traits) {

@@ -63,7 +63,7 @@ pub type Landmarks = BTreeMap<String, DVec3>;
 /// head; mouth, teeth, tongue, eyes, lashes and brows are generated.
 ///
 /// # Errors
-/// A [`RigError`] that names the fault.
+/// Returns a [`RigError`] that describes the problem.
 pub fn rig(
     scan: &Scan,
     landmarks: &Landmarks,

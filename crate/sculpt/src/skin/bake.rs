@@ -239,7 +239,7 @@ fn srgb(x: f32) -> u8 {
 /// Encodes an image of [`SIZE`] squared.
 ///
 /// # Panics
-/// Never: writing to memory does not fail and the size fits the format.
+/// Never panics: writing to memory does not fail and the size fits the format.
 #[allow(clippy::expect_used, reason = "writes to memory at a fixed size")]
 fn jpeg(rgb: &[u8], quality: u8, sampling: SamplingFactor, table: &QuantizationTableType) -> Image {
     let mut bytes = Vec::new();

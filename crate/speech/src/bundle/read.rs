@@ -45,8 +45,8 @@ impl Bundle {
     /// Reads and checks a bundle. Unknown members are ignored.
     ///
     /// # Errors
-    /// When the text is not a bundle, has another version, or holds impossible times or
-    /// file names that leave the folder.
+    /// Returns an error if the text is not a bundle, has another version, or contains impossible
+    /// times or file names that leave the folder.
     pub fn from_json(json: &[u8]) -> Result<Self, BundleError> {
         if is_utf16(json) {
             return Err(BundleError::Utf16);

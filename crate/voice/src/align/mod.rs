@@ -200,14 +200,14 @@ pub struct Fault {
 
 /// Reads an alignment. UTF-8, UTF-16 with a byte order mark, and Latin-1 are understood.
 ///
-/// Where a format gives only when something begins or ends, the neighbour gives the rest.
-/// MaryXML without times (F&H table 4.3) gets 80 ms for each phone and 200 ms for each
-/// boundary, with a warning: its order is worth having. A last mouth shape without an end
-/// holds for 100 ms.
+/// If a format gives only the start or only the end of a segment, the neighbouring segment gives
+/// the other. MaryXML without times (F&H table 4.3) gets 80 ms for each phone and 200 ms for each
+/// boundary, with a warning, because its order is still useful. A last mouth shape without an end
+/// lasts 100 ms.
 ///
 /// # Errors
-/// A [`Fault`] with line and column when the file is not of the format, too large, or has
-/// times that cannot be.
+/// Returns a [`Fault`] with line and column if the file is not in the format, is too large, or has
+/// impossible times.
 pub fn read(format: Format, bytes: &[u8]) -> Result<Alignment, Fault> {
     let most = match format {
         Format::RhubarbJson | Format::TalkingHead | Format::WordTimes => MAX_JSON_BYTES,

@@ -33,10 +33,10 @@ pub(super) fn oculus(name: &str) -> Option<&'static str> {
 
 /// Returns the OpenXR mouth shape nearest to a shape of Rhubarb Lip Sync (A to H, X).
 ///
-/// By the descriptions in Rhubarb's README, "Mouth shapes": A closed lips (P, B, M), B teeth
-/// together (most consonants and EE), C open (EH, AE), D wide open (AA), E slightly rounded
-/// (AO, ER), F puckered (UW, OW, W), G teeth on lip (F, V), H tongue raised (long L), X idle.
-/// Several shapes fit B; `DD`, an open slit with the teeth near, is chosen.
+/// The mapping follows the descriptions in Rhubarb's README, "Mouth shapes": A closed lips (P, B,
+/// M), B teeth together (most consonants and EE), C open (EH, AE), D wide open (AA), E slightly
+/// rounded (AO, ER), F puckered (UW, OW, W), G teeth on lip (F, V), H tongue raised (long L), X
+/// idle. Several visemes fit B; `DD`, an open slit with the teeth close together, is chosen.
 #[must_use]
 pub fn rhubarb_viseme(shape: &str) -> Option<&'static str> {
     Some(match shape {

@@ -130,7 +130,7 @@ impl Cast {
     /// is not installed, the first that is.
     ///
     /// # Errors
-    /// When the engine has no such voice, or needs an option.
+    /// Returns an error if the engine has no such voice, or needs an option.
     pub fn new(engine: Option<&str>, voice: Option<&str>, options: EngineOptions) -> Result<Self> {
         let (name, usual, instead_of) = match engine {
             Some(engine) => (engine.to_owned(), None, None),
@@ -179,7 +179,7 @@ impl Cast {
     /// Creates a cast with a single engine named `name`, whose lead speaks with a voice of it.
     ///
     /// # Errors
-    /// When the engine is not there or has no such voice.
+    /// Returns an error if the engine is not available or has no such voice.
     pub fn with_engine(name: &str, engine: Box<dyn Engine>, voice: &str) -> Result<Self> {
         let cast = Self {
             options: EngineOptions::default(),
@@ -215,7 +215,7 @@ impl Cast {
     /// voice is used: of the same engine if the voice was not chosen explicitly.
     ///
     /// # Errors
-    /// When no voice speaks it.
+    /// Returns an error if no voice speaks the language.
     pub fn speak_in(&mut self, tag: String) -> Result<()> {
         let chosen = self.chosen.as_ref();
         let is_free = chosen.is_none_or(|role| role.voice.name.is_empty());
@@ -284,7 +284,7 @@ impl Cast {
     /// Returns the engine of a role.
     ///
     /// # Errors
-    /// When it is not installed.
+    /// Returns an error if the engine is not installed.
     pub fn engine(&self, role: &Role) -> Result<&'static dyn Engine> {
         Ok(self.known(&role.engine)?.engine.as_ref())
     }
@@ -292,7 +292,7 @@ impl Cast {
     /// Returns the version of a role's engine.
     ///
     /// # Errors
-    /// When it is not installed.
+    /// Returns an error if the engine is not installed.
     pub fn version(&self, role: &Role) -> Result<&'static str> {
         Ok(&self.known(&role.engine)?.version)
     }
@@ -300,7 +300,7 @@ impl Cast {
     /// Returns the voice that a script names, as `VOICE` or `ENGINE:VOICE`.
     ///
     /// # Errors
-    /// When there is none of that name; the message says what to do.
+    /// Returns an error if there is no voice with this name; the message describes how to fix it.
     pub fn named(&self, name: &str) -> Result<Role> {
         // The story's own engine first; in a page there is no other.
         let own = self.known(&self.primary.engine)?;
@@ -344,7 +344,7 @@ impl Cast {
     /// voice.
     ///
     /// # Errors
-    /// When an engine that is needed is not installed.
+    /// Returns an error if a required engine is not installed.
     pub fn role(&self, usual: &Role, speaker: &Speaker, tag: &str) -> Result<Role> {
         let mut role = match &speaker.name {
             Some(name) => self.named(name)?,
@@ -396,7 +396,7 @@ impl Cast {
     /// Returns all voices of an engine.
     ///
     /// # Errors
-    /// When it is not installed.
+    /// Returns an error if the engine is not installed.
     pub fn voices_of(engine: &str, options: &EngineOptions) -> Result<Vec<VoiceInfo>> {
         engine::by_name(engine, options)?.voices()
     }

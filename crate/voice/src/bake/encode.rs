@@ -15,7 +15,7 @@ pub(super) const FORMATS: [(&str, &str); 2] =
 /// Encodes audio in each of [`FORMATS`] and returns the bytes of the files.
 ///
 /// # Errors
-/// When an encoder is missing or fails.
+/// Returns an error if an encoder is missing or fails.
 pub(super) fn encode(samples: &[f64], rate_hz: u32) -> Result<[Vec<u8>; 2]> {
     let scratch = tempfile::tempdir().context("making a folder for the sound")?;
     let wave = scratch.path().join("sound.wav");
@@ -65,7 +65,7 @@ pub(super) fn encode(samples: &[f64], rate_hz: u32) -> Result<[Vec<u8>; 2]> {
 /// Encodes samples as a WAV file with one channel and 16 bits.
 ///
 /// # Errors
-/// When it would be too long.
+/// Returns an error if the file would be too long.
 pub(super) fn wave_of(samples: &[f64], rate_hz: u32) -> Result<Vec<u8>> {
     let mut bytes = Cursor::new(Vec::new());
     let spec = hound::WavSpec {

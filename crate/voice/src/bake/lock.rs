@@ -13,7 +13,7 @@ use anyhow::{Context as _, Result, bail};
 /// The file's name in the folder; it is there only while a bake is at work.
 const NAME: &str = ".bake.lock";
 
-/// A folder that is locked until this is dropped.
+/// Lock on a bundle's folder, so that two bakes do not write to it at once; released when dropped.
 #[derive(Debug)]
 pub(super) struct Lock {
     file: File,
@@ -24,7 +24,8 @@ impl Lock {
     /// Locks a folder, and makes it where it is not there.
     ///
     /// # Errors
-    /// When another program has locked it, or when the folder cannot be written.
+    /// Returns an error if another program has locked the folder, or if the folder cannot be
+    /// written.
     pub(super) fn acquire(folder: &Path) -> Result<Self> {
         let told = || format!("locking {}", folder.display());
         let path = folder.join(NAME);

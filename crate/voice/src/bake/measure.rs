@@ -58,10 +58,10 @@ const TEXTS: [(&str, [&str; 3]); 3] = [
     ),
 ];
 
-/// Choice of measured settings.
+/// Choice of the markup settings whose effect on the audio is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Settings {
-    /// Every value of every attribute, and every dimension of emotion up and down.
+    /// Every value of every attribute, and every dimension of emotion in both directions.
     All,
     /// The first value of each attribute, and each dimension up.
     OneOfAKind,
@@ -78,7 +78,7 @@ struct MeasurementSetup<'a> {
 /// Measures a voice: SABLE's attributes, then the rules of emotion.
 ///
 /// # Errors
-/// When the engine fails, or speaks other words under another setting.
+/// Returns an error if the engine fails, or speaks other words under another setting.
 pub fn measure(cast: &Cast, settings: Settings) -> Result<Vec<Row>> {
     let role = &cast.primary;
     let primary = language::primary(&role.voice.language);
@@ -106,7 +106,7 @@ pub fn measure(cast: &Cast, settings: Settings) -> Result<Vec<Row>> {
 }
 
 impl MeasurementSetup<'_> {
-    /// The values of one kind of setting that are measured.
+    /// Returns the values of one kind of setting that are measured.
     fn of_a_kind<'v, T>(&self, values: &'v [T]) -> &'v [T] {
         match self.settings {
             Settings::All => values,
@@ -438,7 +438,7 @@ fn silence(track: &Speech, word: usize) -> f64 {
     reach(-1.0) + reach(1.0)
 }
 
-/// The intensity at a time, between frames on a line.
+/// Returns the intensity at a time, decibels, interpolated linearly between frames.
 fn frame(u: &raconteur_speech::Utterance, secs: f64) -> f64 {
     let place = (secs / raconteur_speech::bundle::FRAME_SECS).max(0.0);
     let at = |i: usize| u.intensity.get(i).map_or(-100.0, |code| db_of_code(*code));

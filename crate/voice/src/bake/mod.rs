@@ -53,9 +53,9 @@ use crate::files::inside;
 /// story is baked again.
 const REVISION: u32 = 5;
 
-/// Options of [`bake`].
+/// Options for synthesising the speech of a story ahead of time with [`bake`].
 pub struct BakeOptions {
-    /// Voices.
+    /// Voices of the story and their engines.
     pub cast: Cast,
     /// Pace of everything; 1 is the voice's own.
     pub pace: f64,
@@ -72,7 +72,7 @@ pub struct BakeOptions {
 /// The pace of a storyteller, 150 to 170 words a minute, where voices have some 180.
 pub const STORY_PACE: f64 = 0.88;
 
-/// Result of [`bake`].
+/// Report of [`bake`]: the number, size and duration of the synthesised utterances, and problems.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BakeReport {
     /// Number of utterances in the bundle; identical ones count once.
@@ -87,11 +87,11 @@ pub struct BakeReport {
     pub remarks: Vec<(String, Remark)>,
     /// Number of removed audio files of earlier bakes that are no longer used.
     pub removed: usize,
-    /// All utterances together, seconds.
+    /// Total duration of all utterances, seconds.
     pub duration_secs: f64,
     /// Bytes of Ogg Opus.
     pub opus_bytes: u64,
-    /// Bytes of MP3.
+    /// Total size of the MP3 files, bytes.
     pub mp3_bytes: u64,
     /// Bytes of the bundle's text.
     pub text_bytes: u64,
@@ -116,7 +116,7 @@ impl BakeReport {
     }
 }
 
-/// Measurements of newly spoken utterances.
+/// Measurements of newly synthesised audio: agreement with its labels, and loudness.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SpokenAudio {
     /// Measured audio compared with the labels.
@@ -147,12 +147,12 @@ struct BakedUtterance {
 /// `library` finds files of the asset library; `progress` receives the number of finished
 /// utterances, the total, and the last spoken text.
 ///
-/// Nothing is changed, and no program is needed, where all is up to date. Otherwise the folder
-/// is locked, and the old bundle stays whole until the new one is.
+/// If everything is up to date, nothing is changed and no program is needed. Otherwise the folder
+/// is locked, and the old bundle stays intact until the new one is complete.
 ///
 /// # Errors
-/// When programs are missing (the message names all, with their Debian packages), when one fails,
-/// when another bake is at work, or when the folder cannot be written.
+/// Returns an error if programs are missing (the message names all of them, with their Debian
+/// packages), if a program fails, if another bake is running, or if the folder cannot be written.
 pub fn bake(
     said: &[SpeechRequest],
     folder: &Path,
@@ -291,7 +291,7 @@ fn bundle_of(
     bundled(all, &options.cast)
 }
 
-/// The bundle of utterances.
+/// Collects utterances in a bundle.
 fn bundled<'a>(
     all: impl Iterator<Item = Result<(&'a PlannedUtterance<'a>, Utterance)>>,
     cast: &Cast,
@@ -323,8 +323,8 @@ fn bundled<'a>(
     Ok(bundle)
 }
 
-/// By which rows of the player's table the symbols of a voice move the lips, where they are
-/// called otherwise. Unknown phones are left to the player, which shows a schwa.
+/// Returns the symbols of a voice that have other names in the player's phone table, with their
+/// rows. Unknown phones are omitted; the player shows a schwa for them.
 fn mouth(bundle: &Bundle, voice: usize) -> Vec<(String, String)> {
     let phone_set = &bundle.voices[voice].phone_set;
     let spoken = bundle.utterances.iter().filter(|u| u.voice == voice);

@@ -30,7 +30,7 @@ fn words_of(content: &Content) -> usize {
     weights.sum()
 }
 
-/// Incremental bake, utterance by utterance.
+/// Incremental bake (speech synthesis ahead of time) in a web page, one utterance per call.
 pub struct PageBake {
     requests: Vec<SpeechRequest>,
     next: usize,
@@ -63,7 +63,7 @@ impl PageBake {
     /// the problems. An utterance whose engine is [`Pending`] stays the next.
     ///
     /// # Errors
-    /// When no bundle can be made of what was said.
+    /// Returns an error if no bundle can be created from the spoken text.
     pub fn step(&mut self, options: &BakeOptions) -> Result<bool> {
         while let Some(request) = self.requests.get(self.next) {
             let Source::Content(content) = &request.source else {
@@ -110,12 +110,12 @@ impl PageBake {
         bundle_text::write(&self.bundle)
     }
 
-    /// Returns the sounds made since the last call.
+    /// Returns the audio files synthesised since the last call: name and WAV bytes.
     pub fn take_sounds(&mut self) -> Vec<(String, Vec<u8>)> {
         std::mem::take(&mut self.sounds)
     }
 
-    /// Returns the problems since the last call.
+    /// Returns the problems found since the last call.
     pub fn take_problems(&mut self) -> Vec<String> {
         std::mem::take(&mut self.problems)
     }

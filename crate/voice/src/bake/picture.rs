@@ -29,10 +29,10 @@ const BELOW: f64 = 64.0;
 /// The scale of the pitch at the right, hertz.
 const PITCH: (f64, f64) = (50.0, 400.0);
 
-/// Speaks a SABLE text and plots it.
+/// Synthesises a SABLE text and writes a plot of its audio and labels to a file.
 ///
 /// # Errors
-/// When it cannot be spoken or written.
+/// Returns an error if the text cannot be spoken or the plot cannot be written.
 pub fn draw(cast: &Cast, text: &str, out: &Path) -> Result<()> {
     let document = if text.trim_start().starts_with('<') {
         text.to_owned()
@@ -164,7 +164,7 @@ fn pitch(out: &mut String, track: &Speech, x: &dyn Fn(f64) -> f64) {
     );
 }
 
-/// The spectrum as a PNG, dark where there is much.
+/// Returns the spectrogram as a PNG; dark areas have much energy.
 fn spectrum(track: &Speech) -> Result<String> {
     let options = SpectrogramOptions {
         step_secs: 1.0 / SECOND,

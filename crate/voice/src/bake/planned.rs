@@ -15,7 +15,7 @@ use super::speak::{self, Casting, RenderInput};
 use super::{BakeOptions, REVISION, sounds};
 use crate::files::{input, inside, media};
 
-/// Utterance to bake.
+/// Utterance to synthesise, with the hashes that decide if its audio is up to date.
 pub(super) struct PlannedUtterance<'a> {
     /// The key of the utterance.
     pub(super) key: u64,
@@ -35,7 +35,7 @@ pub(super) struct PlannedUtterance<'a> {
 /// Returns all utterances to be spoken, each once, and the missing files with spoken content.
 ///
 /// # Errors
-/// When a file cannot be read, or a text cannot be planned.
+/// Returns an error if a file cannot be read, or a text cannot be planned.
 pub(super) fn all<'a>(
     said: &'a [SpeechRequest],
     folder: &Path,
@@ -171,7 +171,7 @@ fn document(name: &str, read: Result<(Content, Vec<Problem>), Problem>) -> Resul
     Ok(content)
 }
 
-/// The begin of a text, for messages.
+/// Returns the beginning of a text, for messages.
 pub(super) fn short(text: &str) -> String {
     text.chars().take(60).collect()
 }

@@ -12,12 +12,12 @@ use anyhow::{Context as _, Result, anyhow, bail};
 /// Time limit of a step, for a page of text; beyond it the program counts as hung.
 const LIMIT: Duration = Duration::from_secs(300);
 
-/// Encodes Ogg Opus.
+/// Program that encodes Ogg Opus.
 pub const OPUSENC: Program = Program {
     name: "opusenc",
     package: "opus-tools",
 };
-/// Encodes and decodes nearly everything.
+/// Program that encodes and decodes most audio formats.
 pub const FFMPEG: Program = Program {
     name: "ffmpeg",
     package: "ffmpeg",
@@ -59,19 +59,19 @@ impl MissingPrograms {
         known.unwrap_or_else(|| Self::without_package(format!("{error:#}")))
     }
 
-    /// Adds other missing programs.
+    /// Adds the missing programs of another collection.
     pub fn add(&mut self, other: &Self) {
         self.names.extend(&other.names);
         self.packages.extend(&other.packages);
         self.others.extend(other.others.iter().cloned());
     }
 
-    /// Returns true if nothing is missing.
+    /// Returns true if no program is missing.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
     }
 
-    /// Those of these programs that are not on the path.
+    /// Returns those of the programs that are not on the path.
     pub fn not_found(programs: &[&Program]) -> Self {
         let mut missing = Self::default();
         for program in programs.iter().filter(|p| !p.is_there()) {
@@ -80,8 +80,7 @@ impl MissingPrograms {
         missing
     }
 
-    /// # Errors
-    /// When anything is missing.
+    /// Converts to a result: an error that lists the missing programs, if any.
     pub fn into_result(self) -> Result<()> {
         if self.is_empty() {
             Ok(())
@@ -116,7 +115,7 @@ impl fmt::Display for MissingPrograms {
 
 impl std::error::Error for MissingPrograms {}
 
-/// Program and the Debian package that provides it.
+/// External program and the Debian package that provides it.
 pub struct Program {
     /// The program, found on the path.
     pub name: &'static str,
@@ -125,7 +124,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// Returns true if it is on the path.
+    /// Returns true if the program is on the path.
     pub fn is_there(&self) -> bool {
         let path = std::env::var_os("PATH").unwrap_or_default();
         std::env::split_paths(&path).any(|folder| {
@@ -134,7 +133,8 @@ impl Program {
         })
     }
 
-    /// A command for it. Arguments go to it as they are: no shell reads them.
+    /// Creates a command that runs the program. Arguments are passed unchanged: no shell reads
+    /// them.
     pub fn command(&self) -> Command {
         let mut command = Command::new(self.name);
         command
@@ -147,7 +147,7 @@ impl Program {
     /// Runs a command to completion and returns its standard output.
     ///
     /// # Errors
-    /// When the program is missing, fails or does not end.
+    /// Returns an error if the program is missing, fails or does not end.
     pub fn run(&self, mut command: Command) -> Result<String> {
         let mut child = command.spawn().map_err(|error| match error.kind() {
             ErrorKind::NotFound => MissingPrograms::one(self.name, self.package).into(),

@@ -16,7 +16,8 @@ const MAX_SECS: f64 = 600.0;
 /// Returns the path of a recording of a story.
 ///
 /// # Errors
-/// When there is none, the path leaves the story's folder, or it is no sound.
+/// Returns an error if the recording does not exist, its path leaves the story's folder, or it is
+/// not an audio file.
 pub(super) fn find(folder: &Path, src: &str) -> Result<PathBuf> {
     let told = || format!("the recording {src:?}");
     let path = inside::find(folder, src)
@@ -30,7 +31,7 @@ pub(super) fn find(folder: &Path, src: &str) -> Result<PathBuf> {
 /// Decodes a recording to one channel at a sample rate.
 ///
 /// # Errors
-/// As [`decode`].
+/// Returns the same errors as [`decode`].
 pub(super) fn read(path: &Path, rate_hz: f64) -> Result<Recording> {
     let (samples, own_hz) = decode(path)?;
     Ok(Recording {
@@ -38,10 +39,10 @@ pub(super) fn read(path: &Path, rate_hz: f64) -> Result<Recording> {
     })
 }
 
-/// One channel of a sound, and its samples a second.
+/// Decodes an audio file with ffmpeg to one channel; returns the samples and the sample rate, Hz.
 ///
 /// # Errors
-/// When it is no sound of a known format, or cannot be decoded.
+/// Returns an error if the file is not audio of a known format, or cannot be decoded.
 pub(super) fn decode(path: &Path) -> Result<(Vec<f64>, f64)> {
     let sound = Sound::open(path)?;
     let scratch = tempfile::tempdir().context("making a folder for a recording")?;

@@ -38,13 +38,13 @@ const AGES: [(Age, f64, f64, f64, f64); 5] = [
     (Age::Older, 0.97, 0.9, 0.88, 0.9),
 ];
 
-/// The content, with everything that its sound depends on.
+/// Content of an utterance with everything that affects its audio.
 pub(super) struct RenderInput<'a> {
-    /// The content.
+    /// Text and markup to speak.
     pub content: &'a Content,
     /// The voice, where the text names no other.
     pub role: &'a Role,
-    /// In which emotion.
+    /// Emotion in force: its name and its position in the emotion space; `None` for neutral speech.
     pub emotion: Option<&'a (String, EmotionPoint)>,
     /// Tension of the story, 0 to 1, if set by its author.
     pub tension: Option<f64>,
@@ -52,7 +52,7 @@ pub(super) struct RenderInput<'a> {
     pub pace: f64,
 }
 
-/// Plan with the speaker of each sentence.
+/// Speech plan of an utterance with the voice of each sentence.
 pub(super) struct Casting {
     pub plan: Plan,
     pub roles: Vec<Role>,
@@ -63,7 +63,7 @@ pub(super) struct Casting {
 /// Plans an utterance.
 ///
 /// # Errors
-/// When it cannot be planned, or an engine is missing.
+/// Returns an error if the utterance cannot be planned, or an engine is missing.
 pub(super) fn cast(work: &RenderInput<'_>, cast: &Cast, lexicon: &Lexicon) -> Result<Casting> {
     // A voice named by a clause speaks its own language.
     let own = cast
@@ -116,7 +116,8 @@ pub(super) fn cast(work: &RenderInput<'_>, cast: &Cast, lexicon: &Lexicon) -> Re
     })
 }
 
-/// The script of a sentence that is in another than its voice's `language` is written in.
+/// Returns the script of a sentence if the `language` of its voice is written in another one;
+/// otherwise `None`.
 fn foreign_script(sentence: &Sentence, language: &str) -> Option<Script> {
     let token = sentence.tokens.first()?;
     Script::from_word(&token.text).filter(|script| !script.is_read_in(language))
@@ -125,7 +126,7 @@ fn foreign_script(sentence: &Sentence, language: &str) -> Option<Script> {
 /// Speaks a planned utterance. `recordings` returns those of the plan at a sample rate.
 ///
 /// # Errors
-/// When an engine fails.
+/// Returns an error if an engine fails.
 pub(super) fn speak(
     work: &RenderInput<'_>,
     casting: &Casting,
@@ -277,7 +278,8 @@ fn stress_highest(spoken: &mut Spoken, track: &PitchTrack) {
     }
 }
 
-/// The rate of an utterance: one that MPEG-1 layer III has, which browsers read everywhere.
+/// Returns the sample rate of an utterance, Hz: one that MPEG-1 layer III supports, which all
+/// browsers play.
 fn rate_of(rates: impl Iterator<Item = f64>) -> f64 {
     let most = rates.fold(0.0, f64::max);
     if most > 32_000.0 { 48_000.0 } else { 32_000.0 }
@@ -345,7 +347,7 @@ fn level(spoken: &mut [Spoken], roles: &[Role]) {
 /// Voice modified for a speaker's age.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct SpeakerVoice {
-    /// On the resonances of the mouth.
+    /// Factor on the resonance frequencies of the vocal tract.
     resonance: f64,
     pitch: f64,
     pace: f64,

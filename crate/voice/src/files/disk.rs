@@ -12,34 +12,34 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use anyhow::{Context as _, Result, bail};
 
-/// File system operations that modify files.
+/// File system operations that modify files; replaceable for fault-injection tests.
 pub trait Disk: Sync {
     /// Makes a file that was not there, with these bytes, and waits until they are stored.
     ///
     /// # Errors
-    /// As the system's; a part of the file may be there then.
+    /// Returns the error of the system; a partial file may then exist.
     fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 
     /// Replaces a file by another.
     ///
     /// # Errors
-    /// As the system's; nothing has changed then.
+    /// Returns the error of the system; nothing has then changed.
     fn rename(&self, from: &Path, to: &Path) -> io::Result<()>;
 
     /// Removes a file.
     ///
     /// # Errors
-    /// As the system's.
+    /// Returns the error of the system.
     fn remove(&self, path: &Path) -> io::Result<()>;
 
     /// Waits until the names in a folder are stored.
     ///
     /// # Errors
-    /// As the system's.
+    /// Returns the error of the system.
     fn sync_folder(&self, folder: &Path) -> io::Result<()>;
 }
 
-/// The machine's.
+/// Disk of this machine, with synced writes.
 pub struct SystemDisk;
 
 impl Disk for SystemDisk {
@@ -70,7 +70,7 @@ impl Disk for SystemDisk {
 /// Marks the names of files that are being made.
 const PART: &str = ".part";
 
-/// Is this the name of a file that was being made?
+/// Returns true if the name is that of an unfinished temporary file.
 pub fn is_part(name: &str) -> bool {
     let ends = |name: &str| name.ends_with(PART);
     name.starts_with('.') && (ends(name) || name.rsplit_once('.').is_some_and(|(n, _)| ends(n)))
@@ -97,7 +97,7 @@ fn part_of(place: &Path) -> PathBuf {
     }
 }
 
-/// The folder that a file is in.
+/// Returns the folder that contains a file.
 fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
@@ -108,8 +108,8 @@ fn folder_of(path: &Path) -> &Path {
 /// Writes a file on a disk; a link at that path is replaced, not followed.
 ///
 /// # Errors
-/// As the system's. The old file is whole then, unless only the last step failed: that the new
-/// one's name is stored.
+/// Returns the error of the system. The old file is then intact, unless only the last step failed:
+/// storing the name of the new file.
 pub fn replace_on(disk: &dyn Disk, path: &Path, bytes: &[u8]) -> Result<()> {
     let part = part_of(path);
     disk.create(&part, bytes)
@@ -126,7 +126,7 @@ pub fn replace_on(disk: &dyn Disk, path: &Path, bytes: &[u8]) -> Result<()> {
 /// device, such as `/dev/stdout`, is written directly.
 ///
 /// # Errors
-/// When it cannot be written; the old file is whole then.
+/// Returns an error if the file cannot be written; the old file is then intact.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
     let part = PendingFile::for_target(path)?;
     if part.is_direct() {
@@ -146,10 +146,10 @@ pub struct PendingFile {
 }
 
 impl PendingFile {
-    /// For the file that a user has named.
+    /// Creates a pending file for the target path that a user specified.
     ///
     /// # Errors
-    /// When there is a folder of that name, or no folder to write in.
+    /// Returns an error if a folder has that name, or the folder of the file does not exist.
     pub fn for_target(path: &Path) -> Result<Self> {
         let told = || format!("cannot write {}", path.display());
         let place = match fs::metadata(path) {
@@ -178,7 +178,7 @@ impl PendingFile {
         }
     }
 
-    /// Returns the path for writing.
+    /// Returns the temporary path for writing.
     pub fn path(&self) -> &Path {
         &self.part
     }
@@ -191,7 +191,7 @@ impl PendingFile {
     /// Moves the file to its final path.
     ///
     /// # Errors
-    /// When that fails; the old file is whole then.
+    /// Returns an error if the move fails; the old file is then intact.
     pub fn commit(self) -> Result<()> {
         if self.is_direct() {
             return Ok(());

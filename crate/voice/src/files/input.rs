@@ -13,10 +13,11 @@ use raconteur_base::encoding;
 /// Default maximum length of a text file, bytes.
 pub const MAX_TEXT_BYTES: u64 = 16 << 20;
 
-/// The bytes of a file.
+/// Reads the bytes of a regular file of at most `most` bytes.
 ///
 /// # Errors
-/// When it cannot be read, is no regular file, or holds more than `most` bytes.
+/// Returns an error if the file cannot be read, is not a regular file, or contains more than `most`
+/// bytes.
 pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>> {
     // The size in the metadata is not used, because the kernel's virtual files have none.
     let mut bytes = Vec::new();
@@ -32,10 +33,10 @@ pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// A file to be read piece by piece: at most one byte more than `most`.
+/// Opens a file for reading in pieces: at most one byte more than `most`.
 ///
 /// # Errors
-/// When it cannot be opened, or is no regular file.
+/// Returns an error if the file cannot be opened or is not a regular file.
 pub fn open(path: &Path, most: u64) -> Result<Take<File>> {
     let named = || format!("cannot read {}", path.display());
     let kind = fs::metadata(path).with_context(named)?.file_type();
@@ -50,10 +51,10 @@ pub fn open(path: &Path, most: u64) -> Result<Take<File>> {
     Ok(file.take(most.saturating_add(1)))
 }
 
-/// A text.
+/// Reads a UTF-8 text file of at most `most` bytes.
 ///
 /// # Errors
-/// As [`bytes`], and where it is not UTF-8, with the place.
+/// Returns the same errors as [`bytes`], and an error with the position if the text is not UTF-8.
 pub fn text(path: &Path, most: u64) -> Result<String> {
     let bytes = bytes(path, most)?;
     let text = encoding::utf8(&bytes);

@@ -10,8 +10,8 @@ use anyhow::{Context as _, Result, bail, ensure};
 /// Returns the path of a file in a folder, with links resolved, or `None` if it does not exist.
 ///
 /// # Errors
-/// When `path` is an address or leaves the folder, by itself or by a link, or when it is no
-/// plain file: a device or a pipe may never end.
+/// Returns an error if `path` is an address, if it leaves the folder, directly or through a link,
+/// or if it is not a regular file, because a device or a pipe may never end.
 pub fn find(folder: &Path, path: &str) -> Result<Option<PathBuf>> {
     let relative = Path::new(path);
     let inner = |c: Component<'_>| matches!(c, Component::Normal(_) | Component::CurDir);
@@ -58,7 +58,7 @@ pub fn find(folder: &Path, path: &str) -> Result<Option<PathBuf>> {
 /// out.
 ///
 /// # Errors
-/// When it is not.
+/// Returns an error if the nested folder is not inside the outer one.
 pub fn check_folder(folder: &Path, inner: &Path) -> Result<()> {
     let here = if folder.as_os_str().is_empty() {
         Path::new(".")

@@ -47,7 +47,7 @@ fn format_of(begin: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// A sound that ffmpeg may read.
+/// Audio file whose format is safe to pass to ffmpeg: no playlist that names other files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sound {
     path: PathBuf,
@@ -55,10 +55,10 @@ pub struct Sound {
 }
 
 impl Sound {
-    /// Opens a file whose path was already checked.
+    /// Opens an audio file whose path was already checked, and detects its format.
     ///
     /// # Errors
-    /// When it cannot be read, is too long, or is no sound of a known format.
+    /// Returns an error if the file cannot be read, is too long, or is not audio of a known format.
     pub fn open(path: &Path) -> Result<Self> {
         let told = || format!("reading the sound {}", path.display());
         let path = path.canonicalize().with_context(told)?;

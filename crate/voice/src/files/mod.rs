@@ -16,7 +16,7 @@ pub fn on_open(log: fn(&Path)) {
     LOG.get_or_init(|| log);
 }
 
-/// A file is opened.
+/// Reports an opened file to the log, if one is installed.
 pub(crate) fn opened(path: &Path) {
     if let Some(log) = LOG.get() {
         log(path);

@@ -7,7 +7,7 @@ use crate::content::{Content, Division, Markup, Segment, Setting, is_space};
 /// Maximum number of markups, pauses and other points in a document.
 const MAX_SEGMENTS: usize = 50_000;
 
-/// Meaning of an element.
+/// Interpretation of a markup element: its points, its markup and its division.
 #[derive(Default)]
 pub(crate) struct Meaning {
     /// Points at its start.
@@ -170,7 +170,7 @@ pub(crate) fn word<T>(
     value
 }
 
-/// The exact settings that an attribute of ours lists: `default`, `=90`, `*1.2`.
+/// Parses the exact settings in an attribute of Raconteur's namespace: `default`, `=90`, `*1.2`.
 pub(crate) fn exact(text: &str) -> Option<Vec<Setting>> {
     text.split(is_space)
         .take(4)
@@ -186,7 +186,7 @@ pub(crate) fn exact(text: &str) -> Option<Vec<Setting>> {
         .collect()
 }
 
-/// A setting as [`exact`] reads it.
+/// Formats a setting so that [`exact`] parses it.
 pub(crate) fn exact_text(setting: Setting) -> String {
     match setting {
         Setting::Default => "default".to_owned(),
@@ -201,7 +201,7 @@ pub(crate) fn pause_msec(msec: f64) -> (u32, bool) {
     (msec.clamp(0.0, longest).round() as u32, msec > longest)
 }
 
-/// An attribute's text, unless it is empty.
+/// Returns the text of an attribute; `None` if it is empty.
 pub(crate) fn filled(value: Option<&str>) -> Option<String> {
     value.filter(|v| !v.is_empty()).map(str::to_owned)
 }

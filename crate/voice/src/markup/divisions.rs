@@ -3,7 +3,7 @@
 use super::build::is_blank;
 use crate::content::{Division, Segment};
 
-/// A tag of a division.
+/// Start or end tag of a division (sentence, paragraph) in a document to write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DivisionTag {
     Start(Division),

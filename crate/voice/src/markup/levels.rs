@@ -10,10 +10,10 @@ use core::fmt::Write as _;
 use crate::content::{Boundary, Setting};
 use crate::style::NO_EMPHASIS;
 
-/// The longest pause, milliseconds.
+/// Maximum length of a pause, milliseconds.
 pub const MAX_MSEC: u32 = 60_000;
 
-/// Emphasis of EMPH without a level.
+/// Emphasis of an EMPH element without a level.
 pub const MODERATE_EMPHASIS: f64 = 1.0;
 
 /// Pauses of SABLE's levels, milliseconds; a number from 0 to 3 counts along them.
@@ -24,7 +24,7 @@ pub const PAUSES: [(&str, f64); 4] = [
     ("large", 800.0),
 ];
 
-/// SABLE's words for emphasis.
+/// Emphasis levels by SABLE's words.
 pub const EMPHASES: [(&str, f64); 4] = [
     ("reduced", 0.0),
     ("none", NO_EMPHASIS),
@@ -32,7 +32,7 @@ pub const EMPHASES: [(&str, f64); 4] = [
     ("strong", 2.0),
 ];
 
-/// Property set by words and numbers.
+/// Prosodic property that SABLE sets by words or numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Property {
     /// The base or the middle line of the pitch; numbers are hertz.
@@ -46,10 +46,10 @@ pub enum Property {
 }
 
 impl Property {
-    /// Every property.
+    /// All properties.
     pub const ALL: [Self; 4] = [Self::Height, Self::Range, Self::Speed, Self::Loudness];
 
-    /// Its words with their factors on the surrounding level.
+    /// Returns the words of the property with their factors on the surrounding level.
     #[must_use]
     pub fn words(self) -> &'static [(&'static str, f64)] {
         match self {
@@ -87,7 +87,8 @@ impl Property {
         }
     }
 
-    /// A word in any case; `default` is the voice's own value.
+    /// Returns the setting of a word in any case; `default` is the voice's own value, `None` an
+    /// unknown word.
     #[must_use]
     pub fn word(self, word: &str) -> Option<Setting> {
         if word.eq_ignore_ascii_case("default") {
@@ -107,7 +108,7 @@ impl Property {
         self.change(percent / 100.0)
     }
 
-    /// The same as a share of 1.
+    /// Returns the setting for a relative change, as a share of 1; `None` if it is not allowed.
     fn change(self, share: f64) -> Option<Setting> {
         self.positive(1.0 + share).map(Setting::Factor)
     }
@@ -149,7 +150,7 @@ impl Property {
     }
 }
 
-/// A factor as a change in percent with its sign; short where that is exact.
+/// Formats a factor as a signed change in percent; short if that is exact.
 pub(crate) fn change_text(factor: f64) -> String {
     let change = factor - 1.0;
     let short = format!("{:.6}", change * 100.0);
@@ -162,13 +163,13 @@ pub(crate) fn change_text(factor: f64) -> String {
     format!("{sign}{text}%")
 }
 
-/// A decimal number with an optional sign; no infinities, no exponents.
+/// Parses a decimal number with an optional sign; infinities and exponents are rejected.
 #[must_use]
 pub fn number(text: &str) -> Option<f64> {
     shifted(text, 0)
 }
 
-/// A decimal number times a power of ten, rounded once.
+/// Parses a decimal number, multiplied by a power of ten and rounded once.
 pub(crate) fn shifted(text: &str, exponent: i32) -> Option<f64> {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
     let plain = digits.bytes().all(|b| b.is_ascii_digit() || b == b'.');
@@ -207,7 +208,7 @@ pub(crate) fn shifted_text(number: f64, exponent: i32) -> String {
     out
 }
 
-/// SABLE's count of an emphasis: a word in any case, or the number itself within 0 to 2.
+/// Parses an emphasis on SABLE's scale: a word in any case, or a number, limited to 0 to 2.
 #[must_use]
 pub fn emphasis(text: &str) -> Option<f64> {
     let text = text.trim();
@@ -240,7 +241,7 @@ pub fn pause_of_level(level: f64) -> f64 {
     raconteur_base::curve::lerp(PAUSES[below].1, PAUSES[below + 1].1, level - below as f64)
 }
 
-/// The boundary of a punctuation mark, or of its name in SABLE 0.2.
+/// Returns the boundary of a punctuation mark, or of its name in SABLE 0.2; `None` if unknown.
 #[must_use]
 pub fn boundary(text: &str) -> Option<Boundary> {
     let lower = text.trim().to_ascii_lowercase();
@@ -253,7 +254,7 @@ pub fn boundary(text: &str) -> Option<Boundary> {
     })
 }
 
-/// The punctuation mark of a boundary.
+/// Returns the punctuation mark of a boundary.
 #[must_use]
 pub fn boundary_sign(boundary: Boundary) -> &'static str {
     match boundary {

@@ -13,7 +13,7 @@ pub(crate) mod xml;
 #[cfg(test)]
 mod round_trip;
 
-/// The longest document, bytes.
+/// Maximum length of a markup document, bytes.
 pub const MAX_DOCUMENT_BYTES: usize = 4 << 20;
 
 /// Maximum nesting depth of markup.
@@ -23,13 +23,13 @@ pub const MAX_DEPTH: usize = 100;
 /// emotion or an engine.
 pub const NAMESPACE: &str = "urn:raconteur:ssml:1";
 
-/// Problem in a document.
+/// Problem in a markup document, with its position and the handling.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{line}:{column}: {message}")]
 pub struct Problem {
-    /// From 1.
+    /// Line number, from 1.
     pub line: usize,
-    /// In characters, from 1.
+    /// Column in characters, from 1.
     pub column: usize,
     /// Description of the problem and its handling.
     pub message: String,

@@ -50,7 +50,7 @@ impl CaseGenerator {
         (0..=self.below(4)).map(|_| self.one(&WORDS)).collect()
     }
 
-    /// Never empty, nor only white space.
+    /// Returns a random name that is neither empty nor only white space.
     fn name(&mut self) -> String {
         self.one(&[
             "de",

@@ -10,10 +10,10 @@ use super::{NAMESPACE, build};
 use crate::content::{Content, Division, Markup, Segment, Setting};
 use crate::style::MAX_FACTOR;
 
-/// Attributes that are written: name and value.
+/// Attributes of an element to write: name and value.
 pub(crate) type Attributes = Vec<(&'static str, String)>;
 
-/// An element that is written.
+/// Element to write, with its attributes.
 #[derive(Default)]
 pub(crate) struct Element {
     pub(crate) name: &'static str,
@@ -21,7 +21,7 @@ pub(crate) struct Element {
 }
 
 impl Element {
-    /// An element without attributes.
+    /// Creates an element without attributes.
     pub(crate) fn new(name: &'static str) -> Self {
         Self {
             name,
@@ -29,7 +29,7 @@ impl Element {
         }
     }
 
-    /// The same with an attribute.
+    /// Returns the element with an additional attribute.
     pub(crate) fn with(mut self, name: &'static str, value: impl Into<String>) -> Self {
         self.attributes.push((name, value.into()));
         self
@@ -64,19 +64,20 @@ impl Element {
     }
 }
 
-/// Writer of a markup language.
+/// Writer that converts a content to elements of a markup language, SABLE or SSML.
 pub(crate) trait MarkupWriter {
     /// Returns the element of a markup; `None` if nothing needs to be written.
     fn markup(&mut self, markup: &Markup) -> Option<Element>;
-    /// The element of a pause, a recording or a mark.
+    /// Returns the element of a pause, a recording or a mark; `None` if nothing needs to be
+    /// written.
     fn point(&mut self, segment: &Segment) -> Option<Element>;
-    /// The markup that was written last ends.
+    /// Notes that the most recently written markup ends.
     fn end(&mut self);
-    /// The element of a division.
+    /// Returns the element of a division.
     fn division(&self, division: Division) -> Element;
 }
 
-/// The content as elements, without a root.
+/// Writes the content as elements, without a root element.
 pub(crate) fn body(content: &Content, language: &mut impl MarkupWriter) -> String {
     let mut out = String::new();
     // Names of the open elements; `None` for markup that is not written.
@@ -120,7 +121,8 @@ pub(crate) fn body(content: &Content, language: &mut impl MarkupWriter) -> Strin
     out
 }
 
-/// The declaration of our namespace for a root element, if the body needs it.
+/// Returns the declaration of Raconteur's namespace for the root element; empty if the body does
+/// not use it.
 pub(crate) fn declaration(body: &str) -> String {
     if body.contains(" r:") || body.contains("<r:") {
         format!(" xmlns:r=\"{NAMESPACE}\"")
@@ -165,7 +167,7 @@ pub(crate) fn escape(out: &mut String, text: &str, is_value: bool) {
     }
 }
 
-/// The element of an emotion, which is ours.
+/// Returns the element of an emotion, in Raconteur's namespace; `None` for other markup.
 pub(crate) fn emotion(markup: &Markup) -> Option<Element> {
     let Markup::Emotion {
         name,

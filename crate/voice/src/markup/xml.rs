@@ -23,27 +23,27 @@ const MAX_PROBLEMS: usize = 100;
 
 const SSML: &str = "http://www.w3.org/2001/10/synthesis";
 
-/// A piece of a document.
+/// Token of an XML document: start tag, end tag or text.
 pub(crate) enum Token {
     Start(Tag),
     End,
     Text(String),
 }
 
-/// A start tag.
+/// Start tag with its attributes and position.
 pub(crate) struct Tag {
     /// Without its prefix.
     pub(crate) name: String,
-    /// Of which vocabulary it is.
+    /// Namespace of the element.
     pub(crate) space: Space,
     pub(crate) attributes: Vec<Attribute>,
     /// Byte where it begins.
     pub(crate) at: usize,
-    /// It has no content, and is written so.
+    /// True if the element is written as an empty element.
     pub(crate) is_empty: bool,
 }
 
-/// An attribute of a tag.
+/// Attribute of a start tag.
 pub(crate) struct Attribute {
     /// Without its prefix, except `xml:`.
     pub(crate) name: String,
@@ -51,12 +51,12 @@ pub(crate) struct Attribute {
     pub(crate) value: String,
 }
 
-/// Namespace of a name.
+/// Namespace of an element or attribute name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Space {
     /// The document's own language, or none.
     Own,
-    /// To [`NAMESPACE`].
+    /// Namespace of Raconteur, [`NAMESPACE`].
     Ours,
     /// Another namespace.
     Other,
@@ -68,7 +68,7 @@ impl Tag {
         self.find(Space::Own, name)
     }
 
-    /// The value of an attribute of [`NAMESPACE`].
+    /// Returns the value of an attribute in [`NAMESPACE`]; `None` if it is absent.
     pub(crate) fn own_attribute(&self, name: &str) -> Option<&str> {
         self.find(Space::Ours, name)
     }
@@ -79,7 +79,7 @@ impl Tag {
     }
 }
 
-/// Reads a document piece by piece.
+/// XML reader that returns a document piece by piece and collects its problems.
 pub(crate) struct Pieces<'a> {
     source: &'a str,
     reader: Reader<&'a [u8]>,
@@ -94,7 +94,7 @@ pub(crate) struct Pieces<'a> {
 }
 
 impl<'a> Pieces<'a> {
-    /// At the start of a document.
+    /// Creates a reader at the start of a document; `any_case` accepts end tags in any case.
     pub(crate) fn new(source: &'a str, any_case: bool) -> Result<Self, Problem> {
         let source = source.strip_prefix('\u{feff}').unwrap_or(source);
         let mut reader = Reader::from_str(source);
@@ -184,7 +184,7 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// Reported problems.
+    /// Returns the collected problems.
     pub(crate) fn into_problems(self) -> Vec<Problem> {
         self.problems
     }

@@ -4,7 +4,7 @@ use super::filter::Biquad;
 use super::intensity::{decibels, span};
 use super::is_rate;
 
-/// A sharp rise of high-frequency energy.
+/// Sharp rise of high-frequency energy, as at the release of a plosive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Burst {
     /// Start time, in seconds.
@@ -23,7 +23,7 @@ const AFTER_SECS: f64 = 0.004;
 const BEFORE_SECS: f64 = 0.012;
 const STEP_SECS: f64 = 0.0005;
 
-/// Least distance of two bursts, in seconds.
+/// Minimum distance between two bursts, seconds.
 const APART_SECS: f64 = 0.03;
 
 /// Level relative to the loudest parts that counts as silence, in decibels: a rise from digital
@@ -34,8 +34,8 @@ const FLOOR_DB: f64 = -50.0;
 /// burst's own 10 to 15 ms and some of the following sound.
 const KEPT_SECS: (f64, f64) = (0.004, 0.02);
 
-/// All clear bursts of a sound in order. Abrupt fricatives and vowels after silence are
-/// among them.
+/// Returns all clear bursts of an audio in order. They include abrupt fricatives and vowels after
+/// silence.
 #[must_use]
 pub fn all(samples: &[f64], rate_hz: f64) -> Vec<Burst> {
     find_all(samples, rate_hz, CLEAR_RISE_DB)
@@ -126,7 +126,7 @@ fn find_all(samples: &[f64], rate_hz: f64, least_db: f64) -> Vec<Burst> {
     found
 }
 
-/// The first sample of a rise that reaches a quarter of its peak.
+/// Returns the time of the first sample of a rise that reaches a quarter of its peak, seconds.
 fn onset(high: &[f64], rate_hz: f64, near_secs: f64) -> f64 {
     let from = near_secs - 0.001;
     let part = span(high, rate_hz, from, near_secs + AFTER_SECS);

@@ -2,7 +2,7 @@
 
 use super::is_rate;
 
-/// Worst click of a sound.
+/// Worst click in an audio: its time and its strength.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Click {
     /// Time, in seconds.

@@ -12,10 +12,10 @@ use raconteur_base::ops;
 
 use super::{PitchTrack, is_rate, scatter};
 
-/// Epoch at which audio is cut into grains.
+/// Epoch (pitch mark) at which audio is cut into grains for changing pitch and duration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Epoch {
-    /// Its time in seconds.
+    /// Time of the epoch, seconds.
     pub secs: f64,
     /// True if it marks a glottal period; otherwise it only divides unvoiced audio.
     pub voiced: bool,
@@ -139,7 +139,7 @@ struct Peak {
     at: f64,
     /// The track's period there, in samples.
     period: f64,
-    /// Its height against the highest within a period, 0..1.
+    /// Height relative to the highest peak within a period, 0..1.
     height: f64,
     cost: f64,
     before: Option<usize>,
@@ -153,7 +153,7 @@ const SHAPE_COST: f64 = 1.0;
 /// Cost of restarting after a gap that no step spans.
 const GAP_COST: f64 = 4.0;
 
-/// The marks between two samples: the cheapest path through the peaks there.
+/// Returns the pitch marks between two samples: the cheapest path through the peaks there.
 fn interval(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchTrack) -> Vec<f64> {
     let mut peaks = peaks(smooth, from, to, rate_hz, track);
     weigh(&mut peaks, smooth, from);
@@ -180,7 +180,7 @@ fn interval(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchT
     marks
 }
 
-/// The peaks between two samples, where the track has a pitch.
+/// Returns the peaks between two samples where the track has a pitch.
 fn peaks(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchTrack) -> Vec<Peak> {
     let mut peaks: Vec<Peak> = Vec::new();
     for i in from.max(1)..to.min(smooth.len().saturating_sub(1)) {

@@ -14,7 +14,7 @@ use raconteur_base::ops;
 use self::analyser::{Analyser, Candidate};
 use super::is_rate;
 
-/// Options of the pitch analysis.
+/// Options of the pitch analysis: frequency limits, frame step and costs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PitchOptions {
     /// Minimum frequency, in hertz; a window is three periods of it. Default 60.
@@ -51,7 +51,7 @@ impl Default for PitchOptions {
     }
 }
 
-/// The fundamental frequency along a sound. Frame `i` is centred at `i * step_secs`.
+/// Fundamental frequency along an audio. Frame `i` is centred at `i * step_secs`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PitchTrack {
     /// Time between frames, in seconds.
@@ -89,7 +89,7 @@ impl PitchTrack {
         }
     }
 
-    /// Frequency at a time or, where that is unvoiced, at the nearest voiced frame
+    /// Returns the frequency at a time, hertz; if it is unvoiced, that of the nearest voiced frame
     /// within `reach_secs`; 0 without one.
     #[must_use]
     pub fn hz_near(&self, secs: f64, reach_secs: f64) -> f64 {
@@ -184,8 +184,8 @@ pub fn track(samples: &[f64], rate_hz: f64, options: &PitchOptions) -> PitchTrac
     found
 }
 
-/// The candidates of the cheapest path, one index per frame (the paper's section 3.5,
-/// by dynamic programming).
+/// Returns the candidates of the cheapest path, one index per frame (the paper's section 3.5, by
+/// dynamic programming).
 fn best_path(frames: &[Vec<Candidate>], options: &PitchOptions, step_secs: f64) -> Vec<usize> {
     // The paper's costs are for frames 10 ms apart.
     let scale = 0.01 / step_secs;
@@ -225,9 +225,9 @@ fn best_path(frames: &[Vec<Candidate>], options: &PitchOptions, step_secs: f64) 
     path
 }
 
-/// The frequency with limits that suit the voice: a first pass finds its middle, a second one
-/// seeks around that (De Looze and Hirst, Speech Prosody 2008: from three quarters of the lower
-/// quartile to one and a half of the upper one; wider here, for melodies are changed).
+/// Tracks pitch with limits adapted to the voice: a first pass finds the quartiles, a second uses ¾
+/// of the lower to 1½ of the upper (De Looze and Hirst, Speech Prosody 2008); wider here, for
+/// changed intonation.
 #[must_use]
 pub fn track_voice(samples: &[f64], rate_hz: f64, step_secs: f64) -> PitchTrack {
     let options = PitchOptions {

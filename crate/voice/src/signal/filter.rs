@@ -4,7 +4,7 @@ use std::f64::consts::{PI, SQRT_2};
 
 use raconteur_base::ops;
 
-/// `y = b0 x + b1 x₋₁ + b2 x₋₂ − a1 y₋₁ − a2 y₋₂`.
+/// Second-order digital filter: `y = b0 x + b1 x₋₁ + b2 x₋₂ − a1 y₋₁ − a2 y₋₂`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Biquad {
     pub(crate) b: [f64; 3],
@@ -12,7 +12,7 @@ pub(crate) struct Biquad {
 }
 
 impl Biquad {
-    /// Butterworth high-pass of second order, by the bilinear transform.
+    /// Creates a second-order Butterworth high-pass by the bilinear transform.
     pub(crate) fn high_pass(rate_hz: f64, corner_hz: f64) -> Self {
         let k = ops::tan(PI * (corner_hz / rate_hz).clamp(1e-6, 0.49));
         let norm = 1.0 + SQRT_2 * k + k * k;
@@ -25,7 +25,7 @@ impl Biquad {
         }
     }
 
-    /// Power of a steady tone after the filter over that before it.
+    /// Returns the power of a steady tone after the filter relative to that before it.
     pub(crate) fn power_gain(&self, hz: f64, rate_hz: f64) -> f64 {
         let angle = 2.0 * PI * hz / rate_hz;
         let power = |c: [f64; 3]| {
@@ -37,7 +37,7 @@ impl Biquad {
         power(self.b) / power([1.0, self.a[0], self.a[1]])
     }
 
-    /// The sound filtered, beginning at rest.
+    /// Returns the filtered audio; the filter begins at rest.
     pub(crate) fn run(&self, samples: &[f64]) -> Vec<f64> {
         let (mut s1, mut s2) = (0.0, 0.0);
         samples

@@ -10,7 +10,7 @@ use super::is_rate;
 /// Level of silence, in decibels: below the noise of 24 bits.
 pub const SILENCE_DB: f64 = -150.0;
 
-/// Ten times the decimal logarithm of a ratio of powers, at least [`SILENCE_DB`].
+/// Returns ten times the decimal logarithm of a power ratio, at least [`SILENCE_DB`].
 #[must_use]
 pub fn decibels(power: f64) -> f64 {
     if power > 0.0 {
@@ -26,22 +26,22 @@ pub fn rms(samples: &[f64]) -> f64 {
     (samples.iter().map(|x| x * x).sum::<f64>() / samples.len().max(1) as f64).sqrt()
 }
 
-/// Level of a span of the sound, start and end in seconds; [`SILENCE_DB`] of a span
-/// without a sample.
+/// Returns the level of a span of the audio, start and end in seconds; [`SILENCE_DB`] for a span
+/// without samples.
 #[must_use]
 pub fn span_db(samples: &[f64], rate_hz: f64, start_secs: f64, end_secs: f64) -> f64 {
     let level = rms(span(samples, rate_hz, start_secs, end_secs));
     decibels(level * level)
 }
 
-/// The samples from one time to another, as many as there are.
+/// Returns the samples between two times, limited to the existing ones.
 pub(super) fn span(samples: &[f64], rate_hz: f64, start_secs: f64, end_secs: f64) -> &[f64] {
     let at = |secs: f64| ((secs * rate_hz).round().max(0.0) as usize).min(samples.len());
     let (start, end) = (at(start_secs), at(end_secs));
     samples.get(start..end).unwrap_or(&[])
 }
 
-/// Level along a sound. Value `i` is that around `i * step_secs`.
+/// Level along an audio, decibels. Value `i` is the level around `i * step_secs`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Intensity {
     /// Time between values, in seconds.
@@ -51,8 +51,8 @@ pub struct Intensity {
 }
 
 impl Intensity {
-    /// Level at a time in decibels, linear between values and that of the nearest end
-    /// outside; [`SILENCE_DB`] of a track without values.
+    /// Returns the level at a time, decibels: linear between values, constant beyond the ends;
+    /// [`SILENCE_DB`] for a track without values.
     #[must_use]
     pub fn db_at(&self, secs: f64) -> f64 {
         let Some(last) = self.db.len().checked_sub(1) else {

@@ -52,7 +52,7 @@ pub fn integrated_lufs(channels: &[&[f64]], rate_hz: f64) -> Option<f64> {
     over(over(-70.0)? - 10.0)
 }
 
-/// Equation (2).
+/// Converts weighted power to loudness, LUFS: equation (2).
 fn lufs(power: f64) -> f64 {
     decibels(power) - 0.691
 }
@@ -81,7 +81,7 @@ fn shelf(rate_hz: f64) -> Biquad {
     }
 }
 
-/// The second stage (table 2), likewise.
+/// Creates the second stage of the weighting filter (table 2), a high-pass, for a sample rate.
 fn high_pass(rate_hz: f64) -> Biquad {
     const CORNER_HZ: f64 = 38.135_470_876_024_44;
     const QUALITY: f64 = 0.500_327_037_323_877_3;

@@ -24,7 +24,8 @@ mod tests;
 
 use taps::Taps;
 
-/// Changes to apply. Times are those of the input sound, in seconds.
+/// Changes of duration, pitch and gain to apply to an audio. Times are those of the input audio,
+/// seconds.
 pub struct Change<'a> {
     /// Local duration factor at a time; clamped to 0.2..5.
     pub duration: &'a dyn Fn(f64) -> f64,
@@ -42,7 +43,7 @@ pub struct Change<'a> {
 /// Ramp duration of a gain jump, in seconds: a shorter one is audible as a click.
 pub const GAIN_RAMP_SECS: f64 = 0.01;
 
-/// Sound after a change.
+/// Audio after a change, with the map of its times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Changed {
     /// Samples, at the input rate. They may exceed −1..1 if the input did, or if gain or lowered
@@ -55,7 +56,7 @@ pub struct Changed {
 /// Returns the changed sound. A sound of an unusable rate is returned unchanged; without changes
 /// the output is bit-identical.
 ///
-/// `track` must be that of the sound ([`super::f0::track`]).
+/// `track` must be the pitch track of this audio ([`super::f0::track`]).
 #[must_use]
 pub fn change(samples: &[f64], rate_hz: f64, track: &PitchTrack, change: &Change<'_>) -> Changed {
     let unchanged = || Changed {
@@ -138,7 +139,7 @@ impl Run {
         Self { marks, ratios }
     }
 
-    /// The period after a mark (before it, for the last), in samples.
+    /// Returns the period after a mark (for the last mark, the period before it), samples.
     fn period(&self, k: usize) -> f64 {
         let low = k.min(self.marks.len() - 2);
         self.marks[low + 1] - self.marks[low]
@@ -160,9 +161,9 @@ impl Run {
 struct Grain {
     /// Centre in the input sound.
     source: f64,
-    /// Its middle in the new sound.
+    /// Centre of the grain in the new audio, samples.
     place: f64,
-    /// Half widths of its window when its neighbour is of the same voiced run.
+    /// Half widths of the grain's window if its neighbour belongs to the same voiced run, samples.
     left: f64,
     right: f64,
     gain: f64,
@@ -180,7 +181,8 @@ impl Grain {
 /// hardly any lead, because the splice would go back and repeat sound that had started too early,
 /// especially a burst.
 const STRETCHED_SECS: (f64, f64) = (0.003, 0.0205);
-/// The same where it is shortened: splices only leave out.
+/// Maximum lead and lag of unvoiced audio before it is spliced, seconds, while it is shortened:
+/// splices only omit audio.
 const SHORTENED_SECS: (f64, f64) = (0.011, 0.0125);
 
 /// Maximum level (as power) of sound repeated by a splice, relative to the current level: the end
@@ -308,7 +310,8 @@ impl<'a> Maker<'a> {
         })
     }
 
-    /// The shift of an unvoiced grain: that of the grain before as long as it will do.
+    /// Returns the shift of an unvoiced grain, samples: that of the previous grain while it stays
+    /// within the limits.
     fn unvoiced_shift(&self, last: &Grain, place: f64, wanted: f64) -> f64 {
         let step = epochs::UNVOICED_STEP_SECS * self.rate_hz;
         let stretched = self.before(place + step) - self.before(place) < step;

@@ -15,7 +15,8 @@ const CUT: f64 = 0.94;
 /// The shape of the Kaiser window: 80 dB of attenuation beyond the edge.
 const KAISER_BETA: f64 = 7.86;
 
-/// The modified Bessel function of order 0, by its series (Abramowitz and Stegun 9.6.12).
+/// Returns the modified Bessel function of order 0, computed by its series (Abramowitz and Stegun
+/// 9.6.12).
 fn bessel(x: f64) -> f64 {
     let (mut sum, mut term, mut k) = (1.0, 1.0, 1.0);
     while term > sum * 1e-12 {

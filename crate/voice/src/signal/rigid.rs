@@ -91,7 +91,7 @@ fn spread(
     placed
 }
 
-/// The cells that a span touches.
+/// Returns the range of cells that a time span touches.
 fn cells(start_secs: f64, end_secs: f64, count: usize) -> std::ops::Range<usize> {
     let first = ((start_secs / CELL_SECS).floor().max(0.0) as usize).min(count);
     let past = ((end_secs / CELL_SECS).ceil().max(0.0) as usize).min(count);

@@ -5,7 +5,7 @@ use realfft::RealFftPlanner;
 
 use super::is_rate;
 
-/// Spectrogram options.
+/// Spectrogram options: window, time step, frequency range and level range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectrogramOptions {
     /// Length of the window in seconds, within 0.001..0.1. Default 0.006, which shows
@@ -33,7 +33,7 @@ impl Default for SpectrogramOptions {
     }
 }
 
-/// Levels over time and frequency.
+/// Spectrogram: levels over time and frequency, laid out as an image.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spectrogram {
     /// Columns; column `x` is centred at `x * step_secs`.
@@ -46,15 +46,15 @@ pub struct Spectrogram {
     pub levels: Vec<u8>,
 }
 
-/// Most columns made: longer sound gets longer steps.
+/// Maximum number of columns: longer audio gets longer time steps.
 const MAX_COLUMNS: usize = 1 << 16;
 
 /// Frequency from which high frequencies are raised, by 6 dB per octave: the slope of a voice's
 /// source, so that upper formants are visible.
 const EMPHASIS_HZ: f64 = 50.0;
 
-/// The spectrogram of a sound by a Gaussian window; without columns for no sound, an
-/// unusable rate or options out of their bounds.
+/// Computes the spectrogram of an audio with a Gaussian window; returns no columns for empty audio,
+/// an unusable rate or options out of range.
 #[must_use]
 pub fn spectrogram(samples: &[f64], rate_hz: f64, options: &SpectrogramOptions) -> Spectrogram {
     let sane = (0.001..=0.1).contains(&options.window_secs)

@@ -6,7 +6,7 @@ use raconteur_base::ops;
 
 use super::{PitchTrack, scatter};
 
-/// Segment of a synthetic utterance.
+/// Segment of a synthetic test utterance.
 pub(crate) struct Segment {
     secs: f64,
     kind: Kind,
@@ -27,7 +27,7 @@ impl Segment {
         }
     }
 
-    /// A fricative: noise without its lower frequencies.
+    /// Creates a fricative: noise without its lower frequencies.
     pub(crate) fn noise(secs: f64) -> Self {
         Self {
             secs,

@@ -1,7 +1,7 @@
 //! Mapping between times before and after a change of audio.
 
-/// Map from the times of a sound before a change to those after it: piecewise linear, increasing,
-/// starting at (0, 0). Beyond the ends it continues with slope 1.
+/// Map from times before an audio change to times after it: piecewise linear, increasing, starting
+/// at (0, 0). Beyond the ends it continues with slope 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimeMap {
     /// Knees as (seconds before, seconds after), both rising strictly.
@@ -40,13 +40,14 @@ impl TimeMap {
         Self { knees }
     }
 
-    /// The knees as (seconds before, seconds after), from (0, 0) to the end.
+    /// Returns the knees (vertices) of the map as (seconds before, seconds after), from (0, 0) to
+    /// the end.
     #[must_use]
     pub fn knees(&self) -> &[(f64, f64)] {
         &self.knees
     }
 
-    /// The time after the change of a time before it, both in seconds.
+    /// Converts a time before the change to the time after it, seconds.
     #[must_use]
     pub fn after(&self, before_secs: f64) -> f64 {
         through(
@@ -57,7 +58,7 @@ impl TimeMap {
         )
     }
 
-    /// The time before the change of a time after it, both in seconds.
+    /// Converts a time after the change to the time before it, seconds.
     #[must_use]
     pub fn before(&self, after_secs: f64) -> f64 {
         through(

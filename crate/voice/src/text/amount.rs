@@ -14,7 +14,8 @@ fn all_digits(text: &str) -> bool {
 }
 
 impl Reader<'_> {
-    /// A word with digits, if it is of any known kind.
+    /// Reads a word with digits as an amount, date, time or other known kind; `None` if it is none
+    /// of them.
     pub(super) fn amount(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         self.money(at, word)
             .or_else(|| self.time(at, word))
@@ -29,7 +30,8 @@ impl Reader<'_> {
             .or_else(|| self.number(at, word))
     }
 
-    /// Money with its sign attached, or its sign or a magnitude in the words after.
+    /// Reads money: the currency sign is attached, or the sign or a magnitude is in the following
+    /// words.
     pub(super) fn money(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let language = self.language;
         let next = self.next(at);
@@ -78,7 +80,7 @@ impl Reader<'_> {
         ]))
     }
 
-    /// A time of day, with the words after it that belong to it.
+    /// Reads a time of day, with the following words that belong to it.
     pub(super) fn time(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let grammar = self.language.grammar();
         let core = word.core.as_str();
@@ -194,7 +196,7 @@ impl Reader<'_> {
         code && last > first || national || told
     }
 
-    /// A telephone number, or one written group of it.
+    /// Reads a telephone number, or one written group of it.
     fn phone(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let core = word.core.as_str();
         let digits = core.chars().filter(char::is_ascii_digit).count();
@@ -282,7 +284,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A quantity with its unit attached or in the next word.
+    /// Reads a quantity with its unit attached or in the next word.
     pub(super) fn measure(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let language = self.language;
         let marked = matches!(self.say_as, Some(SayAs::Measure));
@@ -328,7 +330,7 @@ impl Reader<'_> {
         )
     }
 
-    /// Two numbers of which the first is no part of the second: "50/50", "24/7".
+    /// Reads two numbers of which the first is not part of the second: "50/50", "24/7".
     fn two_numbers(&self, word: &Word<'_>) -> Option<Reading> {
         let (first, second) = word.core.split_once('/')?;
         let is_short = |text: &str| all_digits(text) && text.len() <= 3;
@@ -342,7 +344,7 @@ impl Reader<'_> {
         Some(Reading::one(said.join(" ")))
     }
 
-    /// A number behind a prefix: "pre-1990s", "post-2008", "mid-19th".
+    /// Reads a number with a prefix: "pre-1990s", "post-2008", "mid-19th".
     fn prefixed(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let (prefix, number) = word.core.split_once('-')?;
         if prefix.is_empty() || !prefix.chars().all(char::is_lowercase) || number.contains('-') {
@@ -365,7 +367,7 @@ impl Reader<'_> {
         self.range_of(&word.core).map(Reading::one)
     }
 
-    /// "10-20" as from one to the other, years as years.
+    /// Returns a range such as "10-20" in words, years as years; `None` if the text is no range.
     fn range_of(&self, text: &str) -> Option<String> {
         let grammar = self.language.grammar();
         if let Some((from, to)) = text.split_once('/') {
@@ -410,7 +412,7 @@ impl Reader<'_> {
         ))
     }
 
-    /// A plain number: a year, a count, or groups of three digits over several words.
+    /// Reads a plain number: a year, a count, or groups of three digits over several words.
     fn number(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let language = self.language;
         let grammar = language.grammar();

@@ -5,14 +5,14 @@ use super::language::Language;
 
 pub(super) use raconteur_base::text::months::{MONTHS, is_month};
 
-/// A date, of which parts may be unknown.
+/// Date in a text, of which parts may be unknown.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Date {
     /// 1..=31.
     pub(super) day: Option<u32>,
     /// 1..=12.
     pub(super) month: Option<u32>,
-    /// As written: two digits stay two.
+    /// Year as written: two digits stay two.
     pub(super) year: Option<u64>,
     /// True if the day was written before the month; English speech follows that order.
     pub(super) day_first: bool,

@@ -6,7 +6,7 @@ use super::grammar::{Form, Grammar};
 use super::language::Language;
 use super::time::{Clock, Half};
 
-/// The grammar of English.
+/// English grammar of numbers, dates and times.
 pub(super) struct English;
 
 const ONES: [&str; 20] = [
@@ -65,7 +65,7 @@ fn below_thousand(n: u64) -> String {
     }
 }
 
-/// The plural of a part of a whole or of a decade: "thirds", "nineties".
+/// Returns the plural of a fraction or decade name: "thirds", "nineties".
 pub(super) fn plural(word: &str) -> String {
     match word.strip_suffix('y') {
         Some(stem) => format!("{stem}ies"),

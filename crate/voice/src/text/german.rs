@@ -7,7 +7,7 @@ use super::grammar::{Form, Grammar};
 use super::language::Language;
 use super::time::Clock;
 
-/// The grammar of German.
+/// German grammar of numbers, dates and times.
 pub(super) struct German;
 
 const ONES: [&str; 20] = [
@@ -103,7 +103,7 @@ fn below_hundred(n: u64) -> String {
     }
 }
 
-/// `n` from 1 to 999 with "ein" (not "eins") at its end.
+/// Returns `n` from 1 to 999 in German, with "ein" (not "eins") at its end.
 fn below_thousand(n: u64) -> String {
     match (n / 100, n % 100) {
         (0, rest) => below_hundred(rest),
@@ -145,7 +145,7 @@ fn capital(word: &str) -> String {
     }
 }
 
-/// The millions and above, as words.
+/// Returns the millions and above in words.
 fn high(n: u64) -> Vec<String> {
     let mut parts = Vec::new();
     for (index, [one, more]) in SCALES.iter().enumerate().rev() {
@@ -158,13 +158,13 @@ fn high(n: u64) -> Vec<String> {
     parts
 }
 
-/// Below a thousand as it is counted before a feminine plural: "einhunderteins".
+/// Returns a number below a thousand as counted before a feminine plural: "einhunderteins".
 fn counted(group: u64) -> String {
     let word = below_thousand(group);
     if group % 100 == 1 { word + "s" } else { word }
 }
 
-/// The ordinal without its ending: "dritt", "zwanzigst".
+/// Returns the ordinal without its ending: "dritt", "zwanzigst".
 fn ordinal_stem(n: u64) -> String {
     if n >= 1_000_000 {
         let mut parts = high(n);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// Replacement or pronunciation of a word.
+/// Lexicon entry for a word: a respelling or a pronunciation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Entry {
     /// Other words.
@@ -11,31 +11,31 @@ pub(super) enum Entry {
     Ipa(String),
 }
 
-/// Pronunciations of words that engines get wrong.
+/// Author's pronunciation lexicon, for words that speech engines get wrong.
 ///
-/// A text, one entry a line: `word = other words` or `word = /IPA/`. A `#` at a line's
-/// start or after a space begins a comment. A line `[de]` limits what follows to German,
-/// `[*]` ends that. A word in small letters also stands for itself with a capital; one
-/// with capitals only for itself.
+/// A lexicon is a text with one entry per line: `word = other words` or `word = /IPA/`. A `#` at
+/// the start of a line or after a space begins a comment. A line `[de]` limits the following
+/// entries to German; `[*]` ends that. A lower-case word also matches its capitalised form; a word
+/// with capitals matches only itself.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Lexicon {
-    /// By language ("" for every one) and word.
+    /// Entries by language ("" for all languages) and word.
     entries: BTreeMap<(String, String), Entry>,
 }
 
-/// Error returned when a lexicon cannot be read.
+/// Error returned when a lexicon cannot be parsed, with its position.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("lexicon, line {line}, column {column}: {problem}")]
 pub struct LexiconError {
-    /// Counted from 1.
+    /// Line number, from 1.
     pub line: usize,
-    /// In characters, counted from 1.
+    /// Column in characters, from 1.
     pub column: usize,
     /// Description of the problem.
     pub problem: LexiconProblem,
 }
 
-/// Problem in a lexicon.
+/// Kind of a problem in a lexicon file.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LexiconProblem {
@@ -76,7 +76,8 @@ fn without_comment(line: &str) -> &str {
     line
 }
 
-/// The language that a head names; "" for every one.
+/// Returns the language that a section heading names, "" for all languages; `None` if the line is
+/// no heading.
 fn head(line: &str) -> Option<String> {
     let name = line.strip_prefix('[')?.strip_suffix(']')?.trim();
     let subtag = (2..=8).contains(&name.len()) && name.bytes().all(|b| b.is_ascii_alphabetic());
@@ -105,10 +106,11 @@ fn entry(said: &str) -> Result<Entry, LexiconProblem> {
 }
 
 impl Lexicon {
-    /// Reads a lexicon file's text.
+    /// Parses the text of a lexicon file.
     ///
     /// # Errors
-    /// The first line that is no entry, head or comment, with its place.
+    /// Returns an error with the position of the first line that is not an entry, a header or a
+    /// comment.
     pub fn parse(text: &str) -> Result<Self, LexiconError> {
         let mut lexicon = Self::default();
         let mut language = String::new();

@@ -3,7 +3,7 @@
 use super::grammar::Form;
 use super::language::Language;
 
-/// A unit: its sign, and its names one and more in each language.
+/// Unit of measurement: its sign, and its singular and plural names in each language.
 pub(super) struct Unit {
     sign: &'static str,
     names: [[&'static str; 2]; 3],
@@ -451,12 +451,12 @@ pub(super) fn split_unit(text: &str) -> Option<(&str, &'static Unit)> {
 }
 
 impl Unit {
-    /// The name of the unit.
+    /// Returns the singular (`one`) or plural name of the unit.
     pub(super) fn name(&self, one: bool, language: Language) -> &'static str {
         language.pick(self.names)[usize::from(!one)]
     }
 
-    /// The gender of the name.
+    /// Returns the form of numbers before the unit, by the gender of its name.
     pub(super) fn form(&self, language: Language) -> Form {
         let feminine = language.pick([false, self.feminine[0], self.feminine[1]]);
         if feminine {

@@ -36,10 +36,10 @@ use word::Word;
 
 /// The most characters of one token; longer ones are cut.
 pub const TOKEN_CHARS: usize = 40;
-/// Maximum number of tokens from one written word.
+/// Maximum number of tokens for one written word.
 pub const WORD_TOKENS: usize = 300;
 
-/// The order of a date's parts: day, month and year.
+/// Order of day, month and year in a date.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Order {
     /// Day, month, year.
@@ -91,7 +91,7 @@ pub enum SayAs {
     Name,
 }
 
-/// Spoken word.
+/// Spoken word that results from normalising a text, with its punctuation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Token {
     /// Letters, apostrophes and hyphens only, at most [`TOKEN_CHARS`]; capitals as written.
@@ -105,12 +105,12 @@ pub struct Token {
 
 /// Returns the spoken tokens of each of the `written` words.
 ///
-/// `written` are the words of a sentence or a few, parted at white space, with their
-/// punctuation. `language` is a BCP 47 tag, whose primary subtag decides; of English, dates
-/// are month first in the United States and where no region is given. `say_as` is for all
-/// of them. A word whose sound was merged into a neighbour's ("Uhr" in "14:30 Uhr") gets
-/// no token, neither does a word with nothing to say. The result has one list for each
-/// written word, each of at most [`WORD_TOKENS`].
+/// `written` contains the words of one or a few sentences, split at white space, with their
+/// punctuation. `language` is a BCP 47 tag; its primary subtag selects the language. In English,
+/// dates are month first for the United States and if no region is given. `say_as` applies to all
+/// words. A word whose pronunciation was merged into that of a neighbour ("Uhr" in "14:30 Uhr")
+/// gets no token, nor does a word without spoken content. The result has one list for each written
+/// word, each with at most [`WORD_TOKENS`] tokens.
 #[must_use]
 pub fn speakable(
     written: &[&str],

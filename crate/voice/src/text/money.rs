@@ -4,7 +4,7 @@ use super::grammar::Form;
 use super::language::Language;
 use super::number::{Number, cardinal_of_digits};
 
-/// A currency's names: one and more of the unit and of its hundredth, in each language.
+/// Currency: the singular and plural names of its unit and of its hundredth, in each language.
 pub(super) struct Currency {
     signs: &'static [&'static str],
     unit: [[&'static str; 2]; 3],
@@ -113,7 +113,7 @@ const MAGNITUDES: [&[(&str, [&str; 2])]; 3] = [
     ],
 ];
 
-/// The currency whose whole sign is `text`.
+/// Returns the currency with the sign `text`; `None` if there is none.
 pub(super) fn currency(text: &str) -> Option<&'static Currency> {
     CURRENCIES
         .iter()
@@ -161,12 +161,12 @@ pub(super) fn magnitude(word: &str, number: &Number, language: Language) -> Opti
 }
 
 impl Currency {
-    /// The name of the unit.
+    /// Returns the singular (`one`) or plural name of the unit.
     pub(super) fn name(&self, one: bool, language: Language) -> &'static str {
         language.pick(self.unit)[usize::from(!one)]
     }
 
-    /// The gender of the unit's name.
+    /// Returns the form of numbers before the unit, by the gender of its name.
     pub(super) fn form(&self, language: Language) -> Form {
         match language {
             Language::Portuguese if self.feminine => Form::Feminine,
@@ -174,7 +174,7 @@ impl Currency {
         }
     }
 
-    /// An amount with its unit and hundredths.
+    /// Returns an amount in words, with its unit and hundredths.
     pub(super) fn amount(&self, number: &Number, language: Language) -> String {
         let cents = match &number.decimals {
             Some((_, digits)) if digits.len() == 2 => digits.parse::<u64>().ok(),

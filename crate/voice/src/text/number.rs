@@ -3,7 +3,7 @@
 use super::grammar::{Form, Grammars as _};
 use super::language::Language;
 
-/// A number written with digits.
+/// Number written with digits, as parsed from a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Number {
     /// True if a minus precedes it.
@@ -16,7 +16,8 @@ pub(super) struct Number {
     pub(super) grouped: bool,
 }
 
-/// More digits than this are read one by one (10^18 has no name in the tables).
+/// Maximum number of digits that are read as one number; longer ones are read digit by digit (10^18
+/// has no name in the tables).
 const NAMED_DIGITS: usize = 18;
 
 /// Returns true for a minus sign or a hyphen in its place.
@@ -89,7 +90,7 @@ impl Number {
         }
     }
 
-    /// Its whole value, where it has neither sign nor decimals and is small enough.
+    /// Returns the whole value; `None` with a sign, with decimals or if it is too large.
     pub(super) fn natural(&self) -> Option<u64> {
         if self.negative || self.decimals.is_some() || self.whole.len() > NAMED_DIGITS {
             return None;
@@ -102,7 +103,7 @@ impl Number {
         self.decimals.is_none() && self.whole.trim_start_matches('0') == "1"
     }
 
-    /// As a cardinal, read before a noun of the gender in `form`.
+    /// Returns the number as a cardinal in words, in the form for the following noun.
     pub(super) fn cardinal(&self, language: Language, form: Form) -> String {
         let mut spoken = String::new();
         if self.negative {
@@ -133,7 +134,8 @@ impl Number {
     }
 }
 
-/// ASCII digits as a cardinal; one by one when they begin with 0 or are too many to name.
+/// Returns ASCII digits as a cardinal in words; digit by digit if they begin with 0 or are too many
+/// to name.
 pub(super) fn cardinal_of_digits(text: &str, language: Language, form: Form) -> String {
     let leading_zero = text.len() > 1 && text.starts_with('0');
     match text.parse::<u64>() {
@@ -144,7 +146,7 @@ pub(super) fn cardinal_of_digits(text: &str, language: Language, form: Form) -> 
     }
 }
 
-/// ASCII digits read one by one.
+/// Returns ASCII digits in words, one by one.
 pub(super) fn digits(text: &str, language: Language) -> String {
     // No more than the tokens that a word may have are ever used.
     let names: Vec<String> = text

@@ -19,7 +19,7 @@ fn digits_and_rest(text: &str) -> Option<(u64, &str)> {
     Some((digits.parse().ok()?, rest))
 }
 
-/// The suffix that English writes after `n`.
+/// Returns the suffix that English writes after the ordinal of `n`.
 fn english_suffix(n: u64) -> &'static str {
     match (n / 10 % 10, n % 10) {
         (1, _) => "th",
@@ -167,8 +167,8 @@ impl Reader<'_> {
         Some(Reading::one(grammar.ordinal(n, ending)).owning_stop(starts))
     }
 
-    /// The two words before the one at `at`; in "am 1. und 2. Mai" the article of the first
-    /// day is the second's too.
+    /// Returns the two words before the word at `at`. In "am 1. und 2. Mai" the article of the
+    /// first day also belongs to the second.
     fn led_by(&self, at: usize) -> (&str, &str) {
         let mut anchor = at;
         // More than these never share an article.
@@ -184,7 +184,7 @@ impl Reader<'_> {
         (before, self.previous(anchor))
     }
 
-    /// A date in digits, with the ending of the German day by the words before it.
+    /// Reads a date in digits; the preceding words determine the ending of the German day.
     pub(super) fn date(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let german = self.language == Language::German;
         // "25.12." has its stop as its own.
@@ -213,7 +213,7 @@ impl Reader<'_> {
         )
     }
 
-    /// A date in words.
+    /// Returns a date in words.
     pub(super) fn say_date(&self, at: usize, date: &Date) -> String {
         let grammar = self.language.grammar();
         let (before, previous) = self.led_by(at);
@@ -222,7 +222,7 @@ impl Reader<'_> {
         grammar.date(date, grammar.ending(before, previous, month))
     }
 
-    /// A plain number that is a year by its size and its neighbours.
+    /// Returns true if a plain number is a year, by its size and the adjacent words.
     pub(super) fn is_year(&self, at: usize, number: &Number) -> bool {
         let shaped = number.whole.len() == 4 && !number.grouped;
         let Some(n) = number

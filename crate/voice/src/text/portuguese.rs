@@ -6,7 +6,7 @@ use super::grammar::{Form, Grammar};
 use super::language::Language;
 use super::time::Clock;
 
-/// The grammar of European Portuguese.
+/// Grammar of European Portuguese for numbers, dates and times.
 pub(super) struct Portuguese;
 
 const ONES: [&str; 20] = [
@@ -124,7 +124,7 @@ const NO_NOUNS: &[&str] = &[
     "não", "então", "senão",
 ];
 
-/// `n` from 1 to 999.
+/// Returns `n` from 1 to 999 in words.
 fn below_thousand(n: u64, form: Form) -> String {
     if n == 100 {
         return "cem".to_owned();

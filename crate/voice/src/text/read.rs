@@ -6,7 +6,7 @@ use super::word::Word;
 use super::{SayAs, abbreviation, money, number, roman, spelling, time};
 use raconteur_base::text::capitals::{self, CapitalContext};
 
-/// Reading of words: one phrase for each word consumed, which may be empty.
+/// Reading of one or more words: the spoken phrase for each of them, which may be empty.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Reading {
     pub(super) spoken: Vec<String>,
@@ -15,12 +15,12 @@ pub(super) struct Reading {
 }
 
 impl Reading {
-    /// One word read as `phrase`.
+    /// Creates the reading of one word as `phrase`.
     pub(super) fn one(phrase: impl Into<String>) -> Self {
         Self::several([phrase.into()])
     }
 
-    /// Several words, each with its phrase.
+    /// Creates the reading of several words, each with its phrase.
     pub(super) fn several<const N: usize>(phrases: [String; N]) -> Self {
         Self {
             spoken: phrases.into(),
@@ -42,7 +42,8 @@ const EACH: [&str; 3] = [
     "segundo minuto hora dia noite semana mês ano pessoa cabeça criança quilómetro quilo litro",
 ];
 
-/// A Roman numeral with the ending of an ordinal: "XIXth".
+/// Returns the value of a Roman numeral with an English ordinal ending: "XIXth"; `None` for other
+/// words.
 fn counted(word: &str) -> Option<u64> {
     let stem = ["th", "st", "nd", "rd"]
         .iter()
@@ -69,7 +70,7 @@ fn is_counted(next: &str) -> bool {
     .contains(&next)
 }
 
-/// Reads the words of a text in one language.
+/// Reader that converts the words of a text in one language to spoken words.
 pub(super) struct Reader<'a> {
     pub(super) words: &'a [Word<'a>],
     pub(super) language: Language,
@@ -115,7 +116,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The word after, a full stop being allowed between.
+    /// Returns the next word, even after a full stop; empty if there is none.
     pub(super) fn next_after_stop(&self, at: usize) -> &str {
         match (self.words.get(at), self.words.get(at + 1)) {
             (Some(word), Some(next)) if matches!(word.end.as_str(), "" | ".") => &next.core,
@@ -136,7 +137,7 @@ impl<'a> Reader<'a> {
         self.read_unmarked(at, word)
     }
 
-    /// As [`Reader::read`], without regard to a mode.
+    /// Reads a word as [`Reader::read`] does, but ignores the mode of the markup.
     pub(super) fn read_unmarked(&self, at: usize, word: &Word<'_>) -> Reading {
         let core = word.core.as_str();
         if core.is_empty() {
@@ -187,7 +188,7 @@ impl<'a> Reader<'a> {
         is_rate.then(|| Reading::one(format!("{counted} {per} {each}")))
     }
 
-    /// A word of letters: mostly itself.
+    /// Reads a word of letters, in most cases as itself.
     fn plain(&self, at: usize, word: &Word<'_>) -> Reading {
         let core = word.core.as_str();
         let numeral = core.strip_suffix("'s").unwrap_or(core);
@@ -210,7 +211,7 @@ impl<'a> Reader<'a> {
         Reading::one(self.letters(core, around))
     }
 
-    /// A Roman numeral, where that is clear.
+    /// Reads a Roman numeral if its meaning is clear; otherwise returns `None`.
     fn numeral(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let language = self.language;
         let (core, genitive) = match word.core.strip_suffix("'s") {
@@ -294,7 +295,7 @@ impl<'a> Reader<'a> {
         self.read_part(word, around)
     }
 
-    /// The same of a word without hyphens.
+    /// Returns the reading of a word without hyphens.
     fn read_part(&self, word: &str, around: CapitalContext) -> String {
         let named = matches!(self.say_as, Some(SayAs::Name));
         let acronym = |word: &str| !named && capitals::is_acronym(word, around, self.language);

@@ -33,7 +33,7 @@ const PARTS: [&[&str]; 3] = [
 /// Portuguese counts these as rulers up to ten: "século quinto", "século vinte".
 const COUNTED_AS_RULERS: &[&str] = &["século", "séc", "canto"];
 
-/// The numeral `text` after the word `previous`, where that word makes it one.
+/// Reads `text` as a Roman numeral if the previous word makes it one; otherwise returns `None`.
 pub(super) fn after(previous: &str, text: &str, language: Language) -> Option<String> {
     let n = value(text)?;
     let grammar = language.grammar();
@@ -52,7 +52,7 @@ pub(super) fn after(previous: &str, text: &str, language: Language) -> Option<St
         .then(|| grammar.cardinal(n, Form::Alone))
 }
 
-/// A ruler's number after the name, also where the name is not in the table.
+/// Returns a ruler's ordinal as spoken after the name, even for a name that is not in the table.
 pub(super) fn ruler(n: u64, name: &str, language: Language) -> String {
     let grammar = language.grammar();
     match language {

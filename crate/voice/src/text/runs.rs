@@ -30,7 +30,8 @@ const VULGAR: &[(char, u64, u64)] = &[
     ('⅒', 1, 10),
 ];
 
-/// The numerator and denominator of a fraction in one character.
+/// Returns numerator and denominator of a fraction character such as ½; `None` for other
+/// characters.
 pub(super) fn vulgar(c: char) -> Option<(u64, u64)> {
     VULGAR
         .iter()
@@ -38,14 +39,14 @@ pub(super) fn vulgar(c: char) -> Option<(u64, u64)> {
         .map(|row| (row.1, row.2))
 }
 
-/// The end of the run of `text` that begins at its start and whose characters `belong`.
+/// Returns the length in bytes of the initial run of characters that `belong`.
 fn run(text: &str, belongs: impl Fn(char) -> bool) -> usize {
     text.find(|c| !belongs(c)).unwrap_or(text.len())
 }
 
 impl Reader<'_> {
-    /// `text` read run by run. In a formula (`math`) hyphens are minuses, slashes divide
-    /// and single letters are variables.
+    /// Reads `text` run by run. In a formula (`math`) hyphens are minus signs, slashes divide,
+    /// single letters are variables.
     pub(super) fn runs(&self, text: &str, math: bool) -> String {
         let language = self.language;
         let mut spoken: Vec<String> = Vec::new();

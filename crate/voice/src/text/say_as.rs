@@ -123,7 +123,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The number in "3", "3rd", "3.", "3.º" or "III".
+    /// Returns the number in "3", "3rd", "3.", "3.º" or "III"; `None` for other words.
     fn counted(&self, word: &Word<'_>) -> Option<u64> {
         if let Some(n) = roman::value(&word.core) {
             return Some(n);
@@ -134,7 +134,7 @@ impl Reader<'_> {
         Number::parse(digits, self.language)?.natural()
     }
 
-    /// A date in one word, or in two or three words of digits.
+    /// Reads a date in one word, or in two or three words of digits.
     fn marked_date(&self, at: usize, word: &Word<'_>, order: Option<Order>) -> Option<Reading> {
         // At most four words are looked at: a date has three.
         let parts: Vec<&str> = self.words.iter().take(4).map(|w| w.core.as_str()).collect();
@@ -156,7 +156,7 @@ impl Reader<'_> {
         Some(Reading::one(self.language.grammar().year(year)))
     }
 
-    /// A word of an address.
+    /// Reads a word of a postal address.
     fn postal(&self, word: &Word<'_>) -> Option<Reading> {
         let core = word.core.as_str();
         if let Some((_, said)) = STREETS[self.language as usize]

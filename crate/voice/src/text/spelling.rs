@@ -168,7 +168,7 @@ const DOMAINS: &[&str] = &[
     "fr", "es", "us",
 ];
 
-/// The name of a sign.
+/// Returns the name of a sign; `None` if it has none.
 pub(super) fn sign(c: char, language: Language) -> Option<&'static str> {
     SIGNS
         .iter()
@@ -212,7 +212,7 @@ pub(super) fn character(c: char, language: Language) -> Option<String> {
     c.is_alphabetic().then(|| c.to_string())
 }
 
-/// Every character by its name.
+/// Returns the names of all characters of a text.
 pub(super) fn literal(text: &str, language: Language) -> String {
     let names: Vec<String> = text
         .chars()

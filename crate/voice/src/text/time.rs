@@ -1,13 +1,13 @@
 //! Times of day: 14:30, 14:30:15, 2:05pm, 14h30.
 
-/// Before or after noon.
+/// Half of a twelve-hour day: before or after noon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Half {
     Morning,
     Afternoon,
 }
 
-/// A time as it was written.
+/// Time of day as written in a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Clock {
     /// 0..=24.
@@ -20,7 +20,7 @@ pub(super) struct Clock {
     pub(super) half: Option<Half>,
 }
 
-/// "am", "p.m" and the like, without a last dot.
+/// Parses "am", "p.m" and similar, without a final dot.
 pub(super) fn half(text: &str) -> Option<Half> {
     match text.to_ascii_lowercase().as_str() {
         "am" | "a.m" | "a.m." => Some(Half::Morning),
@@ -64,7 +64,7 @@ pub(super) fn parse(text: &str, sign: char) -> Option<Clock> {
     })
 }
 
-/// "14h30" or "14h", as Portuguese writes it.
+/// Parses a time in Portuguese notation: "14h30" or "14h".
 pub(super) fn parse_with_h(text: &str) -> Option<Clock> {
     let (hour, minute) = text.split_once('h')?;
     let hour = part(hour, 1..=2, 24)?;

@@ -24,8 +24,8 @@ impl Token {
     }
 }
 
-/// The tokens of a phrase: words with single punctuation signs after them. Long words are
-/// cut, and characters beyond the bound of a written word are left out.
+/// Splits a phrase into tokens: words with single punctuation signs after them. Long words are cut,
+/// and characters beyond the limit of a written word are omitted.
 pub(super) fn tokens(phrase: &str) -> Vec<Token> {
     let mut tokens: Vec<Token> = Vec::new();
     for word in phrase.split_whitespace() {

@@ -290,7 +290,7 @@ fn fnv(text: &str) -> u32 {
 /// Returns the folder of the built player, which contains the list of its files.
 ///
 /// # Errors
-/// When that folder is not there.
+/// Returns an error if the folder does not exist.
 fn player_folder(named: Option<&Path>) -> Result<PathBuf> {
     let folder = match named {
         Some(named) => named.to_owned(),

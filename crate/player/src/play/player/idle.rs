@@ -143,7 +143,8 @@ impl Player {
     /// Evaluates the frame of a figure that has waited a number of seconds for playback, for an
     /// image of `aspect` (width over height), at the place of the story's start.
     ///
-    /// The next [`Player::frame`] begins to leave it; [`Player::seek`] leaves it at once.
+    /// The next [`Player::frame`] begins to leave the idle state; [`Player::seek`] leaves it
+    /// immediately.
     pub fn evaluate_idle(&mut self, waited_secs: f64, aspect: f64) -> &Frame {
         self.evaluate_at_rest(None, waited_secs, None, aspect)
     }
@@ -152,7 +153,8 @@ impl Player {
     /// `time_secs`, and looks at one of its bones, or at the viewer. It eases from the story's
     /// frame into waiting.
     ///
-    /// After a [`Player::leap`] the next [`Player::frame`] begins to leave it.
+    /// After a call of [`Player::seek_with_fade`], the next [`Player::frame`] begins to leave the
+    /// waiting state.
     pub fn evaluate_waiting(
         &mut self,
         time_secs: f64,

@@ -11,8 +11,8 @@ impl Player {
     /// The message `<interrupt/>` is [`Player::interrupt`]. `mind` identifies the sender; each has
     /// a send budget; see [`live::limits`](crate::live::limits).
     ///
-    /// The same fragments at the same times give the same frames, whatever frames are
-    /// evaluated between.
+    /// The same fragments at the same times give the same frames, regardless of the frames
+    /// evaluated in between.
     pub fn perform(&mut self, mind: u32, fragment: &str, now_secs: f64) -> FragmentOutcome {
         let now_secs = story_secs(now_secs);
         if is_interrupt(fragment) {
@@ -51,7 +51,7 @@ impl Player {
     /// in the next [`Player::drain_events`]. Returns the story time of the end, which is shortly
     /// after `now_secs` if a fragment has just joined; `None` if there is nothing to end.
     ///
-    /// Frames up to that time stay as they were.
+    /// Frames up to that time are unchanged.
     pub fn interrupt(&mut self, now_secs: f64) -> Option<f64> {
         let told_secs = self.clock.reported_secs();
         let now_secs = story_secs(now_secs).max(told_secs);

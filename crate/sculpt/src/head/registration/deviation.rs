@@ -41,7 +41,7 @@ fn region(zone: Zone) -> Option<&'static str> {
 /// purpose: life-size eyes, and lips that meet.
 ///
 /// # Errors
-/// When the model lacks what the traits name.
+/// Returns an error if the model lacks a target that the traits name.
 pub fn deviations(model: &Model, traits: &Traits) -> Result<Vec<Deviation>, ModelError> {
     let shape = model.shape(traits)?;
     let binding = Binding::new(model.faces());

@@ -112,7 +112,7 @@ fn is_given(key: Key) -> bool {
 /// Registers the mean head to the mean head of the body model and returns the new binding.
 ///
 /// # Errors
-/// When the model lacks a target.
+/// Returns an error if the model lacks a target.
 pub fn register(model: &Model) -> Result<HeadRegistration, ModelError> {
     let shape = model.shape(&mean_traits())?;
     let binding = Binding::new(model.faces());
@@ -170,7 +170,8 @@ fn nearest(theirs: &Surface, p: DVec3, normal: DVec3) -> Option<Place> {
 /// Deforms the mean head's limit positions to the given positions and projects them onto a surface.
 ///
 /// # Panics
-/// When the normal equations are singular, which the fixed topology and the given places rule out.
+/// Panics if the normal equations are singular. The fixed topology and the given positions rule
+/// that out.
 #[allow(
     clippy::expect_used,
     reason = "depends on the built-in topology and table only"

@@ -22,7 +22,8 @@ const MAX_UNKNOWN: usize = 12;
 /// only words, each is spelled with one phone per letter, of equal lengths.
 ///
 /// # Errors
-/// When fewer than half of the tokens are among the words, or as [`labels::finish`].
+/// Returns an error if fewer than half of the tokens are among the words, or in the same cases as
+/// [`labels::finish`].
 pub(super) fn combine(
     alignment: &Alignment,
     wave: Wave,

@@ -24,27 +24,27 @@ pub trait Host: Send + Sync {
     /// Returns the version of espeak-ng.
     ///
     /// # Errors
-    /// When it is not there.
+    /// Returns an error if espeak-ng is not available.
     fn version(&self) -> Result<String>;
 
     /// Returns the files below a folder of espeak-ng's data, sorted, as paths relative to that
     /// folder.
     ///
     /// # Errors
-    /// When the data is not there.
+    /// Returns an error if the data is not available.
     fn files(&self, folder: &str) -> Result<Vec<String>>;
 
     /// Returns the text of a file of its data; empty if it does not exist.
     ///
     /// # Errors
-    /// When the data is not there.
+    /// Returns an error if the data is not available.
     fn text(&self, path: &str) -> Result<String>;
 
     /// Speaks texts with a voice: one [`Synthesis`] for each. The result does not depend on the
     /// order of the texts. In texts, `[[` and `]]` enclose mnemonics.
     ///
     /// # Errors
-    /// When it has no such voice, or when it fails.
+    /// Returns an error if espeak-ng has no such voice, or if it fails.
     fn speak(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>>;
 }
 

@@ -189,7 +189,7 @@ impl Espeak {
 /// Returns a copy of a C string; empty for a null pointer.
 ///
 /// # Safety
-/// `pointer` is null or points to characters that end in 0.
+/// `pointer` must be null or point to a string that ends with a zero byte.
 unsafe fn text(pointer: *const c_char) -> String {
     if pointer.is_null() {
         return String::new();
@@ -372,7 +372,7 @@ fn speak_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Synthesis> {
 /// Translates a text, clause by clause.
 ///
 /// # Safety
-/// The library is initialised, has a voice, and nothing else is using it.
+/// The library must be initialised and have a voice, and nothing else may use it at the same time.
 unsafe fn marked(espeak: &Espeak, text: &CStr) -> Vec<String> {
     let mut rest: *const c_void = text.as_ptr().cast();
     let mut out = Vec::new();

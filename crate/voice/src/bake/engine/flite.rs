@@ -57,7 +57,7 @@ pub trait Host: Send + Sync {
     /// returns its output; with `sound`, also the WAV that it writes as [`SOUND`].
     ///
     /// # Errors
-    /// When it is not there or fails.
+    /// Returns an error if flite is not available or fails.
     fn run(&self, arguments: &[&str], files: &[(&str, &str)], sound: bool) -> Result<Output>;
 }
 

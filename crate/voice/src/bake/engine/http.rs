@@ -30,8 +30,8 @@ const CODED: &AsciiSet = &NON_ALPHANUMERIC
 /// Posts a form to a path and returns the body of the reply.
 ///
 /// # Errors
-/// When no server answers, nothing comes within two minutes, more than 256 MiB come, or the
-/// server does not answer with 200.
+/// Returns an error if no server answers, no data arrives within two minutes, more than 256 MiB
+/// arrive, or the server's status is not 200.
 pub(super) fn post(address: &str, path: &str, form: &[(&str, &str)]) -> Result<Vec<u8>> {
     let told = || format!("asking the server {address}");
     let agent: Agent = Agent::config_builder()

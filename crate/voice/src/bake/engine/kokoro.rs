@@ -42,36 +42,36 @@ pub trait Host: Send + Sync {
     /// British man.
     ///
     /// # Errors
-    /// When it is not there.
+    /// Returns an error if Kokoro is not available.
     fn voices(&self) -> Result<Vec<String>>;
 
     /// Returns the phone letters of a word in the dictionaries, and those at the end of a phrase if
     /// they differ; `None` for an unknown word.
     ///
     /// # Errors
-    /// [`super::Pending`] while they are fetched.
+    /// Returns [`super::Pending`] while the dictionaries are being fetched.
     fn word(&self, word: &str) -> Result<Option<(String, Option<String>)>>;
 
     /// Returns the IPA transcription of the words of a text by espeak-ng, in one of its languages.
     ///
     /// # Errors
-    /// When espeak-ng is not there.
+    /// Returns an error if espeak-ng is not available.
     fn ipa(&self, language: &str, text: &str) -> Result<String>;
 
     /// Phones of the set `radio` for a word that no dictionary has, with spaces between.
     ///
     /// # Errors
-    /// [`super::Pending`] while what guesses is fetched.
+    /// Returns [`super::Pending`] while the guesser is being fetched.
     fn guess(&self, word: &str) -> Result<String>;
 
     /// Speaks letters at a speech rate, 1 for the voice's own.
     ///
     /// # Errors
-    /// [`super::Pending`] while it is at work.
+    /// Returns [`super::Pending`] while the network is running.
     fn infer(&self, voice: &str, letters: &str, pace: f64) -> Result<Output>;
 }
 
-/// Output of the network.
+/// Output of the Kokoro network for one text: speech and the durations of its letters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Output {
     /// Mono, −1 to 1, [`RATE_HZ`].
@@ -80,7 +80,7 @@ pub struct Output {
     pub frames: Vec<f32>,
 }
 
-/// Kokoro.
+/// Speech engine based on the Kokoro neural network, run by a host.
 pub struct Kokoro<H>(pub H);
 
 impl<H: Host> Engine for Kokoro<H> {
@@ -301,7 +301,7 @@ fn to_spoken(marks: &[Mark], tongue: SpokenLanguage, out: &Output) -> Result<Spo
     labels::finish(&labels, wave, tongue.phone_set, 0.0)
 }
 
-/// The phones of letters whose ends are known.
+/// Returns the phones of letters whose end times are known.
 fn labels_of(marks: &[Mark], tongue: SpokenLanguage, start: f64, ends: &[f64]) -> Labels {
     let mut labels = Labels::default();
     if start > 0.0 {

@@ -70,14 +70,14 @@ struct Speaker {
     environment: Environment,
 }
 
-/// Kokoro in a folder.
+/// Host that runs Kokoro from a folder on this machine.
 #[derive(Default)]
 pub(super) struct Installed {
     speaker: OnceLock<Speaker>,
     opening: Mutex<()>,
     /// Styles of each voice, by number of tokens.
     styles: Mutex<HashMap<String, Arc<[f32]>>>,
-    /// Those that are not at work.
+    /// Idle sessions of the neural network.
     sessions: Mutex<Vec<Session>>,
 }
 
@@ -146,7 +146,7 @@ impl Installed {
         Ok(self.speaker.get_or_init(|| read))
     }
 
-    /// The styles of a voice, one behind the other.
+    /// Returns the style vectors of a voice, concatenated.
     fn styles(&self, voice: &str) -> Result<Arc<[f32]>> {
         let mut known = self.styles.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(styles) = known.get(voice) {

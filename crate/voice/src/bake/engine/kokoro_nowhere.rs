@@ -5,7 +5,7 @@ use anyhow::Result;
 use super::super::program::MissingPrograms;
 use super::kokoro::{Host, Output};
 
-/// The network, which is not here.
+/// Host for builds without the Kokoro network: every call fails.
 #[derive(Default)]
 pub(super) struct Installed;
 

@@ -10,10 +10,10 @@ use raconteur_speech::bundle::SILENCE;
 /// Phones shorter than this are no phones, seconds. *Designed*: no glottal pulse fits.
 const MIN_SECS: f64 = 0.0005;
 
-/// Phone as reported by an engine.
+/// Phone with its time and token, as reported by an engine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Phone {
-    /// As the engine calls it; empty is silence.
+    /// Symbol of the phone in the engine; empty for silence.
     pub(super) symbol: String,
     /// Seconds from the start of the sentence.
     pub(super) end_secs: f64,
@@ -23,10 +23,10 @@ pub(super) struct Phone {
     pub(super) syllable: Option<usize>,
 }
 
-/// Sentence as reported by an engine.
+/// Phones, syllables and phrase breaks of a sentence, as reported by an engine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Labels {
-    /// In order.
+    /// Phones in order.
     pub(super) phones: Vec<Phone>,
     /// Stress (0 none, 1 primary, 2 secondary) and pitch accent, in order.
     pub(super) syllables: Vec<(u8, String)>,
@@ -34,7 +34,7 @@ pub(super) struct Labels {
     pub(super) breaks: Vec<(usize, String)>,
 }
 
-/// Is this one of the names of silence?
+/// Returns true if the symbol is one of the names of silence.
 pub(super) fn is_silence(symbol: &str) -> bool {
     matches!(
         symbol,
@@ -62,8 +62,8 @@ pub(super) fn nothing(rate_hz: f64, phone_set: &str) -> Spoken {
 /// after the last phone ends in silence; phones after the end of the audio are cut off.
 ///
 /// # Errors
-/// When times are not finite or run backwards, when there is no sound, or when phones go on
-/// for a fifth of a second after the sound.
+/// Returns an error if times are not finite or decrease, if there is no audio, or if phones
+/// continue for a fifth of a second after the end of the audio.
 pub(super) fn finish(
     labels: &Labels,
     wave: Wave,

@@ -30,7 +30,7 @@ const OVER_NOISE_DB: f64 = 8.0;
 const MIN_QUIET_SECS: f64 = 0.12;
 /// Sound shorter than this is a click, seconds.
 const MIN_SOUND_SECS: f64 = 0.05;
-/// Least fall and rise between two syllables, decibels.
+/// Minimum fall and rise of the level between two syllables, decibels.
 const DIP_DB: f64 = 3.0;
 /// Level below a syllable's peak to which its vowel extends, decibels.
 const VOWEL_DB: f64 = 4.0;
@@ -56,7 +56,7 @@ struct Peak {
 /// Aligns audio by its loudness; `tokens` are the words spoken in it.
 ///
 /// # Errors
-/// When nothing is heard.
+/// Returns an error if the audio is silent.
 pub(super) fn align_by_loudness(wave: Wave, tokens: &[SpokenUnit<'_>]) -> Result<Spoken> {
     let level = intensity(&wave.samples, wave.rate_hz, STEP_SECS, WINDOW_SECS);
     let mut sorted = level.db.clone();
@@ -162,7 +162,7 @@ fn peaks(level: &Intensity, begin: usize, end: usize) -> Vec<Peak> {
     out
 }
 
-/// The phones of a syllable: narrow, its vowel, narrow.
+/// Adds the phones of one syllable: a constriction, its vowel, a constriction.
 fn syllable(level: &Intensity, peak: Peak, loud: f64, labels: &mut Labels) {
     let own = Some(labels.syllables.len());
     let frames = level.db.get(peak.begin..peak.end).unwrap_or_default();

@@ -12,14 +12,13 @@ use raconteur_speech::bundle::SentenceKind;
 use super::{Engine, VoiceInfo, aligned, http, labels, punctuation, wave};
 use crate::ipa::{self, Set};
 
-/// MARY at an address.
+/// Speech engine that queries a MARY server at an address.
 pub(super) struct Mary {
     address: String,
 }
 
 impl Mary {
-    /// # Errors
-    /// When it is no `host:port`.
+    /// Creates the engine for a server address of the form `host:port`.
     pub(super) fn new(address: &str) -> Result<Self> {
         ensure!(
             is_address(address),
@@ -209,7 +208,7 @@ mod tests {
         );
     }
 
-    /// A server that answers `count` requests with documents written here.
+    /// Starts a test server that answers `count` requests with prepared documents.
     fn server(count: usize) -> (String, thread::JoinHandle<Vec<String>>) {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let address = listener.local_addr().unwrap().to_string();

@@ -2,7 +2,7 @@
 
 use anyhow::{Result, ensure};
 
-/// Most pairs that are compared: two sequences of 4,000.
+/// Maximum number of compared pairs: two sequences of 4,000.
 const MAX_PAIRS: usize = 16_000_000;
 
 /// Cost of a phone that only one sequence has; twice that is more than two that differ.
@@ -13,7 +13,7 @@ const GAP: u32 = 3;
 /// a pair costs no more than omitting both.
 ///
 /// # Errors
-/// When both are so long that it would take more than some 16 MB.
+/// Returns an error if both are so long that the alignment would need more than about 16 MB.
 pub(super) fn matched<A, B>(
     known: &[A],
     heard: &[B],

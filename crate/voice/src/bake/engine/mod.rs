@@ -51,19 +51,19 @@ use raconteur_speech::bundle::SentenceKind;
 use super::program::MissingPrograms;
 use registry::LOCAL_ENGINES;
 
-/// Most characters that are read of a token; the baker parts longer ones.
+/// Maximum number of characters that an engine reads of a token; the baker splits longer ones.
 const MAX_CHARACTERS: usize = 40;
 
-/// A voice that an engine has.
+/// Description of a voice that an engine provides.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VoiceInfo {
-    /// As its engine knows it.
+    /// Name of the voice in its engine.
     pub name: String,
-    /// BCP 47 tag.
+    /// BCP 47 language tag of the voice.
     pub language: String,
     /// Sex, if the engine specifies it.
     pub gender: Option<Gender>,
-    /// One of [`raconteur_speech::phones::PHONE_SETS`].
+    /// Phone set of the voice, one of [`raconteur_speech::phones::PHONE_SETS`].
     pub phone_set: String,
     /// Sample rate in hertz; 0 if it is unknown before the first synthesis.
     pub rate_hz: f64,
@@ -71,45 +71,45 @@ pub struct VoiceInfo {
     pub what: String,
 }
 
-/// Remark about a recording that differs from the intended one.
+/// Remark about a recording that deviates from the script, with a suggested fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remark {
     /// Code for programs: `phones-unknown` and so on; see `docs/voices.md`.
     pub code: &'static str,
     /// Recording and the problem with it.
     pub message: String,
-    /// Suggested fix.
+    /// Suggested fix for the author.
     pub hint: &'static str,
 }
 
-/// The recording of an utterance.
+/// Recording of an utterance with its alignment, used instead of synthesised speech.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recorded {
-    /// Its sound and times.
+    /// Audio of the recording and the times of its phones.
     pub spoken: Spoken,
-    /// Repairs and guesses.
+    /// Remarks on repairs and guesses made while reading the recording.
     pub remarks: Vec<Remark>,
 }
 
-/// Speech synthesis engine.
+/// Speech synthesis engine: lists its voices and speaks sentences with phone times.
 pub trait Engine: Sync {
-    /// Its name and version, for example `festival 2.5.0`.
+    /// Returns name and version of the engine, for example `festival 2.5.0`.
     ///
     /// # Errors
-    /// When it is not installed; the message says what to install.
+    /// Returns an error if the engine is not installed; the message names the missing software.
     fn version(&self) -> Result<String>;
 
     /// Returns the available voices.
     ///
     /// # Errors
-    /// As [`Engine::version`].
+    /// Returns the same errors as [`Engine::version`].
     fn voices(&self) -> Result<Vec<VoiceInfo>>;
 
     /// Speaks the sentences of one utterance: one [`Spoken`] for each. The same sentences give the
     /// same audio, whatever other voices are active concurrently.
     ///
     /// # Errors
-    /// When the engine or the voice is not installed, or when what comes back makes no sense.
+    /// Returns an error if the engine or the voice is not installed, or if the output is invalid.
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>>;
 
     /// Returns true if the engine applies the speech rate of a sentence itself; otherwise the baker
@@ -126,7 +126,7 @@ pub trait Engine: Sync {
     /// Returns the voice of this name, including one that [`Engine::voices`] does not list.
     ///
     /// # Errors
-    /// As [`Engine::version`].
+    /// Returns the same errors as [`Engine::version`].
     fn voice(&self, name: &str) -> Result<Option<VoiceInfo>> {
         Ok(self.voices()?.into_iter().find(|v| v.name == name))
     }
@@ -136,7 +136,7 @@ pub trait Engine: Sync {
     /// `None` if there is no recording.
     ///
     /// # Errors
-    /// When there is a recording that cannot be read, or that is of other words.
+    /// Returns an error if there is a recording that cannot be read or contains other words.
     fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Recorded>> {
         let _ = (key, place, plan);
         Ok(None)
@@ -146,31 +146,31 @@ pub trait Engine: Sync {
     /// empty for engines that speak.
     ///
     /// # Errors
-    /// When a recording cannot be read.
+    /// Returns an error if a recording cannot be read.
     fn state(&self, key: u64, place: usize) -> Result<String> {
         let _ = (key, place);
         Ok(String::new())
     }
 }
 
-/// Error of an engine that is still loading: try again later.
+/// Error returned while an engine is still loading; the caller retries later.
 #[derive(Clone, Copy, Debug, thiserror::Error)]
 #[error("the voice is not ready yet")]
 pub struct Pending;
 
-/// Options used by some engines.
+/// Options required by some engines: the address of a server, the folder of recordings.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct EngineOptions {
     /// Address of a MARY server, `host:port`; empty if there is none.
     pub server: String,
-    /// Folder of recordings.
+    /// Folder of recordings; `None` if there is none.
     pub recordings: Option<PathBuf>,
 }
 
 /// Reads a WAV of any width and rate: mono samples, −1 to 1, and samples a second.
 ///
 /// # Errors
-/// When there is no such file, or it is no whole WAV.
+/// Returns an error if the file does not exist or is not a complete WAV file.
 pub fn read_wave(path: &Path) -> Result<(Vec<f64>, f64)> {
     let wave = wave::read(path)?;
     Ok((wave.samples, wave.rate_hz))
@@ -179,7 +179,7 @@ pub fn read_wave(path: &Path) -> Result<(Vec<f64>, f64)> {
 /// Engine on this machine: its name, and its voices or the missing programs.
 type Local = (&'static str, Result<Vec<VoiceInfo>, MissingPrograms>);
 
-/// The engines that run on this machine, in the order in which they are preferred. They are queried
+/// Returns the engines of this machine with their voices, in order of preference. They are queried
 /// once.
 pub fn local() -> &'static [Local] {
     static LOCAL: OnceLock<[Local; LOCAL_ENGINES.len()]> = OnceLock::new();
@@ -209,7 +209,8 @@ pub fn voice_hint(name: &str) -> String {
     hint_among(name, &names)
 }
 
-/// The name that is meant, where one is near, and where all of them are listed.
+/// Returns a hint for an unknown name: the most similar known name, if any, and the command that
+/// lists all names.
 pub fn hint_among(name: &str, known: &[&str]) -> String {
     let list = "see raconteur bake --list-voices";
     match nearest(name, known.iter().copied()) {
@@ -237,7 +238,7 @@ pub fn find_voice(name: &str) -> Option<(String, String)> {
     })
 }
 
-/// The punctuation from which the engine's phrasing and melody are made.
+/// Returns the punctuation after a token, from which the engine derives phrasing and intonation.
 pub(super) fn punctuation(token: &Token, ends: Option<SentenceKind>) -> String {
     let written: String = token
         .punctuation

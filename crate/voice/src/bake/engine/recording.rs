@@ -20,7 +20,7 @@ const ENDINGS: [&str; 10] = [
 /// Phone set of recordings whose alignment does not specify one.
 const PHONE_SET: &str = "radio";
 
-/// A folder of recordings.
+/// Engine that uses recordings from a folder instead of synthesised speech.
 pub(super) struct Recordings {
     folder: PathBuf,
 }

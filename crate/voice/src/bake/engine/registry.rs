@@ -8,7 +8,7 @@ use super::{
     recording,
 };
 
-/// The names that [`by_name`] knows.
+/// Names of the engines that [`by_name`] accepts.
 pub const ENGINES: [&str; 6] = [
     "kokoro",
     "festival",
@@ -18,10 +18,10 @@ pub const ENGINES: [&str; 6] = [
     "recordings",
 ];
 
-/// Those that are programs or libraries of this machine, in the order in which they are preferred.
+/// Names of the engines that are programs or libraries on this machine, in order of preference.
 pub(super) const LOCAL_ENGINES: [&str; 4] = ["kokoro", "festival", "flite", "espeak-ng"];
 
-/// Environment for the engines that support several.
+/// Environment that provides the hosts of engines which run on several platforms.
 pub trait Machine {
     /// Runs kokoro.
     fn kokoro(&self) -> impl kokoro::Host + 'static;
@@ -58,10 +58,10 @@ impl Machine for Installed {
     }
 }
 
-/// The engine of a name on this machine.
+/// Returns the engine with a name on this machine.
 ///
 /// # Errors
-/// When there is none, or when it lacks an option.
+/// Returns an error if there is no engine of this name, or if the engine lacks an option.
 pub fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Engine>> {
     if let Some(engine) = hosted(name, &Installed) {
         return Ok(engine);

@@ -10,12 +10,12 @@ use raconteur_speech::bundle::SentenceKind;
 use super::punctuation;
 use crate::ipa::{self, Set};
 
-/// Is this safe as a bare name in a script?
+/// Returns true if the name is safe as a bare symbol in a Scheme script.
 pub(super) fn is_symbol(name: &str) -> bool {
     !name.is_empty() && name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_')
 }
 
-/// A Scheme string literal. Festival's reader knows `\"` and `\\`; control characters and
+/// Returns a Scheme string literal. Festival's reader knows `\"` and `\\`; control characters and
 /// characters beyond ASCII, which it would pass on raw, become spaces.
 pub(super) fn literal(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + 2);
@@ -49,7 +49,7 @@ pub(super) fn plain(text: &str) -> String {
     }
 }
 
-/// Name of the sound of sentence `index`, in the folder where the script runs.
+/// Returns the audio file name of sentence `index`, in the folder where the script runs.
 pub(super) fn wave_name(index: usize) -> String {
     format!("{index}.wav")
 }
@@ -139,7 +139,7 @@ pub(super) const VOICES: &str = r#"
 /// [`wave_name`], and its segments and phrases to standard output.
 ///
 /// # Errors
-/// When a pronunciation has phones that there are not.
+/// Returns an error if a pronunciation contains phones that do not exist.
 pub(super) fn script(sentences: &[Sentence], voice: &str, set: Set) -> Result<String> {
     let mut out = format!("(voice_{voice})\n");
     let mut said = String::new();

@@ -10,28 +10,28 @@ use crate::content::Gender;
 use crate::spoken::{Sentence, Spoken};
 use raconteur_speech::bundle::SentenceKind;
 
-/// Environment that queries the server.
+/// Environment that queries a speech server: in a web page, the page's own code.
 pub trait Host: Send + Sync {
-    /// The voices that the page's owner names, a list of [`Voice`] in JSON.
+    /// Returns the voices that the page's owner lists, as a JSON list of [`Voice`].
     ///
     /// # Errors
-    /// When the page does not tell.
+    /// Returns an error if the page does not provide the list.
     fn voices(&self) -> Result<String>;
 
     /// Returns the server's answer to a [`Request`] in JSON.
     ///
     /// # Errors
-    /// [`super::Pending`] until it answers; when it does not.
+    /// Returns [`super::Pending`] until the server answers, and an error if it does not answer.
     fn ask(&self, request: &str) -> Result<Answer>;
 }
 
-/// A voice of a server.
+/// Voice of a speech server.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Voice {
-    /// As the server calls it.
+    /// Name of the voice on the server.
     pub name: String,
-    /// BCP 47 tag.
+    /// BCP 47 language tag of the voice.
     pub language: String,
     /// `female` or `male`, where it is one.
     pub gender: Option<String>,
@@ -39,29 +39,29 @@ pub struct Voice {
     pub phone_set: Option<String>,
 }
 
-/// A sentence for a server.
+/// Request to a speech server: one sentence to synthesise.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Request<'a> {
-    /// One of its voices.
+    /// Voice, one of those that the server provides.
     pub voice: &'a str,
-    /// BCP 47 tag.
+    /// BCP 47 language tag of the sentence.
     pub language: &'a str,
-    /// All words with their punctuation.
+    /// Text of the sentence, with punctuation.
     pub text: String,
     /// Words only, in order; numbers and abbreviations are written out.
     pub words: Vec<&'a str>,
 }
 
-/// Answer of a server.
+/// Answer of a speech server: audio and the times of words and phones.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Answer {
-    /// A WAV.
+    /// Audio as a WAV file.
     pub sound: Vec<u8>,
     /// Times of words and phones, in any format that [`detect`] recognises.
     pub times: String,
 }
 
-/// A server.
+/// Speech engine that queries a server through its host.
 pub struct Server<H>(pub H);
 
 impl<H: Host> Engine for Server<H> {
@@ -125,7 +125,7 @@ impl<H: Host> Server<H> {
     }
 }
 
-/// The words with their punctuation.
+/// Returns the words of a sentence with their punctuation.
 fn written(sentence: &Sentence) -> String {
     let last = sentence.tokens.len().saturating_sub(1);
     let words = sentence.tokens.iter().enumerate().map(|(t, token)| {

@@ -9,13 +9,13 @@ use anyhow::{Context as _, Result, ensure};
 
 use crate::files::input;
 
-/// Most bytes of sound that are read: half an hour of stereo at 48 kHz and 24 bits.
+/// Maximum size of an audio file, bytes: half an hour of stereo at 48 kHz and 24 bits.
 pub(super) const MAX_BYTES: u64 = 512 << 20;
 
 /// Fewest and most samples a second.
 const RATES_HZ: std::ops::RangeInclusive<u32> = 4_000..=384_000;
 
-/// A sound.
+/// Decoded mono audio of a WAV file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Wave {
     /// Mono, −1 to 1.
@@ -27,15 +27,15 @@ pub(super) struct Wave {
 /// Reads a WAV file.
 ///
 /// # Errors
-/// As [`decode`], and when there is no such file.
+/// Returns the same errors as [`decode`], and an error if the file does not exist.
 pub(super) fn read(path: &Path) -> Result<Wave> {
     decode(&bytes(path)?).with_context(|| format!("reading the sound {}", path.display()))
 }
 
-/// The bytes of a file.
+/// Reads the bytes of an audio file.
 ///
 /// # Errors
-/// When there is no such file, or it is too long.
+/// Returns an error if the file does not exist or is too long.
 pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
     input::bytes(path, MAX_BYTES).context("the sound")
 }
@@ -45,7 +45,8 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
 /// samples are clamped to 1.
 ///
 /// # Errors
-/// When it is no WAV, is compressed, is cut off, or has no channels or an impossible rate.
+/// Returns an error if the bytes are not a WAV file, are compressed, are truncated, or have no
+/// channels or an impossible sample rate.
 pub(super) fn decode(bytes: &[u8]) -> Result<Wave> {
     let plain = plain::plain(bytes)?;
     let mut reader = hound::WavReader::new(Cursor::new(plain)).context("no WAV")?;
@@ -143,7 +144,7 @@ mod tests {
         out
     }
 
-    /// The description of one channel at 22,050 Hz.
+    /// Returns the format chunk for one channel at 22,050 Hz.
     fn form(tag: u16, bits: u16) -> Vec<u8> {
         let frame = bits / 8;
         let mut out = [tag.to_le_bytes(), 1_u16.to_le_bytes()].concat();

@@ -17,7 +17,7 @@ const UNNOTICED: f64 = 0.5;
 /// The property that [`SLOPE_TOLERANCE`] is of.
 pub(super) const ACCENT_SLOPE: &str = "accent slope";
 
-/// Unit of the values.
+/// Unit of the requested and the measured value of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unit {
     /// Factor relative to the voice's default.
@@ -30,14 +30,14 @@ pub(super) enum Unit {
     Seconds,
 }
 
-/// One setting.
+/// Measurement of one setting: the requested and the measured value of a property of the audio.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// The markup, or the dimension of emotion.
     pub setting: String,
     /// Property of the audio.
     pub property: &'static str,
-    /// The request.
+    /// Requested value.
     pub requested: f64,
     /// Measured value.
     pub measured: f64,
@@ -65,8 +65,8 @@ impl Row {
         Self::new(setting, property, Unit::Factor, asked, heard)
     }
 
-    /// The measured value over the request, less one: of frequencies and amplitudes where
-    /// figures are semitones and decibels.
+    /// Returns the relative error: the ratio of measured to requested value, less one. Semitones
+    /// and decibels are compared as frequencies and amplitudes.
     pub fn error(&self) -> f64 {
         let ratio = match self.unit {
             Unit::Factor | Unit::Seconds => self.measured / self.requested,

@@ -7,16 +7,16 @@ use std::sync::Mutex;
 
 use super::{Disk, SystemDisk};
 
-/// Behaviour after the failure.
+/// Behaviour of a test disk after the injected failure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AfterFailure {
     /// The program was killed: no further changes.
     Killed,
-    /// Only that step failed.
+    /// Only the one step fails; later steps succeed.
     GoesOn,
 }
 
-/// Disk that works but does not sync: tests take thousands of steps.
+/// Test disk that does not sync its writes, because tests take thousands of steps.
 pub struct Unsynced;
 
 impl Disk for Unsynced {
@@ -39,7 +39,7 @@ impl Disk for Unsynced {
     }
 }
 
-/// Fails at one step, or when it is full.
+/// Test disk that fails at one step, or when its capacity is used up.
 pub struct Faulty {
     then: AfterFailure,
     state: Mutex<State>,
@@ -54,12 +54,12 @@ struct State {
 }
 
 impl Faulty {
-    /// Fails at step `k`, counted from 0.
+    /// Creates a disk that fails at step `k`, counted from 0.
     pub fn at_step(k: usize, then: AfterFailure) -> Self {
         Self::new(k, usize::MAX, then)
     }
 
-    /// Creates a disk with this capacity in bytes.
+    /// Creates a disk with a capacity in bytes.
     pub fn with_room(bytes: usize) -> Self {
         Self::new(usize::MAX, bytes, AfterFailure::GoesOn)
     }

@@ -56,7 +56,7 @@ pub(in crate::markup) fn of_word<T: Copy>(table: &[(&str, T)], word: &str) -> Op
     found.map(|(_, value)| *value)
 }
 
-/// The word for a value.
+/// Returns the word for a value in a table; `None` if there is none.
 pub(in crate::markup) fn word_of<T: PartialEq>(
     table: &[(&'static str, T)],
     value: &T,

@@ -14,8 +14,8 @@ use crate::text::SayAs;
 ///
 /// # Errors
 ///
-/// Text that is no well-formed XML, that declares entities, or that is longer, deeper or more
-/// marked up than the limits of [`crate::markup`].
+/// Returns an error if the text is not well-formed XML, declares entities, or exceeds the limits of
+/// [`crate::markup`] on length, depth or amount of markup.
 pub fn read(text: &str) -> Result<(Content, Vec<Problem>), Problem> {
     let mut is_first = true;
     build::read(text, true, |tag, pieces| {
@@ -146,7 +146,8 @@ fn all(settings: Vec<Setting>, markup: fn(Setting) -> Markup) -> Meaning {
     }
 }
 
-/// A property's settings from an attribute, or from ours where it is exact.
+/// Returns the settings of a property from an attribute; the exact attribute of Raconteur's
+/// namespace has priority.
 fn setting(
     tag: &Tag,
     pieces: &mut Pieces<'_>,

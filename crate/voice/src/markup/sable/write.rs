@@ -19,7 +19,7 @@ pub fn write(content: &Content) -> String {
 
 struct Sable;
 
-/// An element with a property's setting.
+/// Adds the attribute of a property's setting to an element.
 fn set(
     element: Element,
     property: Property,

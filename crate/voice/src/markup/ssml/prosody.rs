@@ -43,7 +43,7 @@ const RATES: [(&str, f64); 5] = [
     ("x-fast", 1.5),
 ];
 
-/// Nested settings, and a problem to report.
+/// Nested settings parsed from an SSML attribute, and a problem to report.
 pub(super) type Settings = (Vec<Setting>, Option<&'static str>);
 
 fn level(words: &[(&str, f64)], text: &str) -> Option<Vec<Setting>> {
@@ -62,7 +62,7 @@ fn factor(factor: f64) -> Option<Vec<Setting>> {
     (factor.is_finite() && factor > 0.0).then(|| vec![Setting::Factor(factor)])
 }
 
-/// `pitch` or `range`: a word, hertz, or a change in percent, semitones or hertz.
+/// Parses SSML's `pitch` or `range`: a word, hertz, or a change in percent, semitones or hertz.
 pub(super) fn height(text: &str) -> Option<Settings> {
     let text = text.trim();
     if let Some(settings) = level(&HEIGHTS, text) {
@@ -96,8 +96,8 @@ pub(super) fn height_text(setting: Setting) -> String {
     }
 }
 
-/// `rate`: a word or a percentage of the voice's own. Changes with a sign, and plain
-/// factors, are SSML 1.0's.
+/// Parses SSML's `rate`: a word or a percentage of the voice's own rate. Signed changes and plain
+/// factors belong to SSML 1.0.
 pub(super) fn rate(text: &str) -> Option<Settings> {
     let text = text.trim();
     if let Some(settings) = level(&RATES, text) {
@@ -118,7 +118,7 @@ pub(super) fn rate(text: &str) -> Option<Settings> {
     }
 }
 
-/// A factor on the voice's own rate.
+/// Formats a factor on the voice's own rate as a percentage.
 pub(super) fn rate_text(factor: f64) -> String {
     format!("{}%", shifted_text(factor, 2))
 }
@@ -128,7 +128,8 @@ pub(super) fn rate_of_words(words: f64) -> String {
     rate_text((words / NOMINAL_WORDS).clamp(0.25, 4.0))
 }
 
-/// `volume`: a word or a change in decibels. SSML 1.0 has numbers from 0 to 100 and percents.
+/// Parses SSML's `volume`: a word or a change in decibels. SSML 1.0 uses numbers from 0 to 100 and
+/// percentages.
 pub(super) fn loudness(text: &str) -> Option<Settings> {
     let text = text.trim();
     if text == "default" {
@@ -149,7 +150,7 @@ pub(super) fn loudness(text: &str) -> Option<Settings> {
     Some((vec![Setting::Value(gain.min(1.0))], note))
 }
 
-/// A gain in decibels, `+6dB`.
+/// Parses a gain in decibels, for example `+6dB`.
 pub(super) fn decibels(text: &str) -> Option<f64> {
     let text = text.trim();
     let number = number(
@@ -161,7 +162,7 @@ pub(super) fn decibels(text: &str) -> Option<f64> {
     Some(ops::pow(10.0, number.clamp(-200.0, 200.0) / 20.0))
 }
 
-/// A gain above 0 as [`decibels`] reads it, within a millionth of a decibel.
+/// Formats a gain factor above 0 so that [`decibels`] parses it, within a millionth of a decibel.
 pub(super) fn decibels_text(gain: f64) -> String {
     let exact: f64 = 20.0 * ops::ln(gain) / core::f64::consts::LN_10;
     let db = (exact * 1e6).round() / 1e6;

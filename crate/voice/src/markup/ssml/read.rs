@@ -30,8 +30,8 @@ const EMPHASES: [&str; 4] = ["strong", "moderate", "none", "reduced"];
 ///
 /// # Errors
 ///
-/// Text that is no well-formed XML, that declares entities, or that is longer, deeper or more
-/// marked up than the limits of [`crate::markup`].
+/// Returns an error if the text is not well-formed XML, declares entities, or exceeds the limits of
+/// [`crate::markup`] on length, depth or amount of markup.
 pub fn read(text: &str) -> Result<(Content, Vec<Problem>), Problem> {
     read_beside(text, &|_| true)
 }
@@ -41,7 +41,7 @@ pub fn read(text: &str) -> Result<(Content, Vec<Problem>), Problem> {
 ///
 /// # Errors
 ///
-/// As [`read`].
+/// Returns the same errors as [`read`].
 pub fn read_beside(
     text: &str,
     is_there: &dyn Fn(&str) -> bool,
@@ -152,7 +152,8 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     meaning
 }
 
-/// The settings of an attribute, or those of ours where they are exact.
+/// Returns the settings of an SSML attribute; the exact attribute of Raconteur's namespace has
+/// priority.
 fn settings(
     tag: &Tag,
     pieces: &mut Pieces<'_>,
@@ -220,7 +221,7 @@ fn pause(tag: &Tag, pieces: &mut Pieces<'_>) -> Segment {
     }
 }
 
-/// A length in seconds or milliseconds, as milliseconds.
+/// Parses a duration in seconds or milliseconds and returns milliseconds.
 fn msec(text: &str) -> Option<f64> {
     let text = text.trim();
     let (digits, exponent) = match text.strip_suffix("ms") {

@@ -104,7 +104,8 @@ fn is_setting(setting: &Setting) -> bool {
     }
 }
 
-/// The element of a markup inside which `style` is in force.
+/// Returns the SSML element of a markup within content of style `style`; `None` if it needs no
+/// element.
 fn element(markup: &Markup, style: &Style) -> Option<Element> {
     Some(match markup {
         Markup::Emphasis(level) if level.is_finite() => {

@@ -8,7 +8,7 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex, num_complex::Complex
 
 use super::PitchOptions;
 
-/// One explanation of a frame.
+/// Candidate pitch of a frame: a frequency, or aperiodicity.
 #[derive(Clone, Copy)]
 pub(super) struct Candidate {
     /// 0 for the aperiodic one.
@@ -32,7 +32,7 @@ pub(super) struct Analyser {
     options: PitchOptions,
     rate_hz: f64,
     window: Vec<f64>,
-    /// One over the window's normalised autocorrelation, per lag.
+    /// Inverse of the window's normalised autocorrelation, per lag.
     unwindow: Vec<f64>,
     /// Samples of half the longest period: the reach of the local mean and peak.
     half_period: usize,
@@ -167,7 +167,8 @@ impl Analyser {
         found
     }
 
-    /// The peak near a lag, found between the samples.
+    /// Returns the autocorrelation peak near a lag, located between the samples; `None` if there is
+    /// none.
     fn candidate(&self, lag: usize) -> Option<Candidate> {
         let [a, b, c] = [self.lags[lag - 1], self.lags[lag], self.lags[lag + 1]];
         let (mut place, mut height) = (lag as f64 + vertex(a, b, c)?, b);
@@ -201,8 +202,8 @@ impl Analyser {
         })
     }
 
-    /// The autocorrelation at a lag between samples, equation (22): a sinc within a
-    /// raised cosine.
+    /// Returns the autocorrelation at a lag between samples, equation (22): a sinc within a raised
+    /// cosine.
     fn between(&self, place: f64) -> f64 {
         let low = place.floor();
         let part = place - low;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use raconteur_base::ops;
 
-/// Reads sound between its samples.
+/// Interpolation filter that reads audio between its samples.
 pub(super) struct Taps {
     /// Weights of the samples from `-REACH + 1` to `REACH` around; `None` if the position is on a
     /// sample.
@@ -16,7 +16,7 @@ impl Taps {
     /// highest frequency.
     const REACH: usize = 16;
 
-    /// For values `delay` samples (−0.5..0.5) before the requested sample.
+    /// Creates the filter for values `delay` samples (−0.5..0.5) before the requested sample.
     pub(super) fn new(delay: f64) -> Self {
         if delay.abs() < 1e-6 {
             return Self { weights: None };

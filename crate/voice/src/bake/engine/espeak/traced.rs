@@ -23,7 +23,7 @@ pub struct TracedText {
 /// Renames the events of a text to those of a voice that spoke mnemonics.
 ///
 /// # Errors
-/// When the text is too long.
+/// Returns an error if the text is too long.
 pub fn named(said: TracedText, voice: &str) -> Result<Synthesis> {
     let set = set(voice.split('+').next().unwrap_or_default());
     let marked = mnemonics(&said.marked);

@@ -17,10 +17,10 @@ const TABLE: [(char, &str); 47] = [
 /// Letters that few words have.
 const MORE: [(char, &str); 3] = [('z', "z"), ('ʒ', "zh"), ('ʔ', "t")];
 
-/// Before the vowel that is stressed.
+/// Stress marks, which precede the stressed vowel.
 const STRESS: [char; 2] = ['ˈ', 'ˌ'];
 
-/// The phone of a letter.
+/// Returns the phone of a letter; `None` for an unknown letter.
 fn phone(letter: char) -> Option<&'static str> {
     let mut all = TABLE.iter().chain(&MORE);
     all.find(|(c, _)| *c == letter).map(|(_, phone)| *phone)
@@ -92,7 +92,7 @@ pub(super) fn word(labels: &mut Labels, marks: &[Mark], ends: &[f64], token: usi
     syllables(labels, first, &stresses, Set::Radio);
 }
 
-/// The same of a word whose letters are those of the IPA, in the phones of a set.
+/// Adds the phones of one word to the labels: converts its IPA letters to the phones of a set.
 pub(super) fn word_of(labels: &mut Labels, marks: &[Mark], ends: &[f64], token: usize, set: Set) {
     let first = labels.phones.len();
     let letters: Vec<char> = marks.iter().map(|m| m.letter).collect();

@@ -113,7 +113,7 @@ fn in_letters(ipa: &str) -> String {
     out
 }
 
-/// A pronunciation of the author.
+/// Converts the author's IPA pronunciation to Kokoro's letters.
 fn of_ipa(ipa: &str) -> Result<String> {
     let syllables = ipa::syllables(ipa, Set::Radio)?;
     Ok(letters::of_phones(
@@ -150,7 +150,8 @@ fn of_word(token: &Token, ends: bool, host: &dyn Host) -> Result<String> {
     guessed(&word, host)
 }
 
-/// A word of the dictionaries, or one with an ending.
+/// Returns the letters of a word that the dictionaries contain, as it is or without an ending;
+/// `None` otherwise.
 fn known(word: &str, ends: bool, host: &dyn Host) -> Result<Option<String>> {
     let small = word.to_lowercase();
     let mut rest = small.chars();
@@ -184,7 +185,7 @@ fn known(word: &str, ends: bool, host: &dyn Host) -> Result<Option<String>> {
     Ok(None)
 }
 
-/// A word with an ending, which sounds as the end of the word makes it.
+/// Appends an ending to a word; the end of the word determines its pronunciation.
 fn with_ending(mut letters: String, ending: &str) -> String {
     let last = letters.chars().last().unwrap_or_default();
     letters.push_str(match ending {
@@ -203,8 +204,8 @@ fn with_ending(mut letters: String, ending: &str) -> String {
     letters
 }
 
-/// A word that no dictionary has. Which syllable is stressed is *designed*: the first of two, the
-/// last but two of more, which is where most English nouns have it.
+/// Returns guessed letters for a word in no dictionary. The stressed syllable is *designed*: the
+/// first of two, the third from the end of more, as in most English nouns.
 fn guessed(word: &str, host: &dyn Host) -> Result<String> {
     let told = host.guess(word)?;
     let phones: Vec<&str> = told.split_whitespace().collect();
@@ -222,7 +223,7 @@ fn guessed(word: &str, host: &dyn Host) -> Result<String> {
     Ok(letters::of_phones(syllables))
 }
 
-/// "The" and "to" have other vowels before vowels.
+/// Changes the vowels of "the" and "to" before vowels.
 fn adapt_before_vowels(tokens: &[Token], written: &mut [String]) {
     for t in 0..written.len().saturating_sub(1) {
         let vowel = written[t + 1]

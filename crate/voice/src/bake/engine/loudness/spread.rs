@@ -4,16 +4,16 @@
 //! the words in between, and the fewest pauses without punctuation and commas without a pause. The
 //! weights are *designed*.
 
-/// Unit spoken as one word.
+/// Unit spoken as one word, to which a share of the audio is assigned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) struct SpokenUnit<'a> {
-    /// Its letters.
+    /// Letters of the unit.
     pub(in super::super) text: &'a str,
     /// True if punctuation follows it.
     pub(in super::super) ends: bool,
 }
 
-/// Pause between audible stretches.
+/// Pause between audible stretches of a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pause {
     /// Audible time before the pause, seconds.
@@ -32,7 +32,7 @@ const SLACK_SECS: f64 = 0.2;
 /// Number of words before and after the expected one that are tried for each pause.
 const REACH: usize = 24;
 
-/// Words and where each of them would end if all letters took the same time.
+/// Words, and the positions at which they end if all letters take the same time.
 pub(super) struct Words {
     /// Letters up to the end of each word, from 0 before the first.
     letters: Vec<f64>,

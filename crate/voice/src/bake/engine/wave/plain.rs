@@ -70,10 +70,11 @@ impl Form {
     }
 }
 
-/// The same sound with a header as the decoder wants it.
+/// Returns the same WAV with a plain header, as the decoder requires.
 ///
 /// # Errors
-/// When it is no WAV, has no form or no data, is shorter than it says, or is compressed.
+/// Returns an error if the bytes are not a WAV file, have no format or no data, are shorter than
+/// declared, or are compressed.
 pub(super) fn plain(bytes: &[u8]) -> Result<Vec<u8>> {
     let riff = bytes.starts_with(b"RIFF") || bytes.starts_with(b"RF64");
     ensure!(
