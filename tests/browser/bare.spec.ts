@@ -21,7 +21,7 @@ test('an empty story with `loop`, and none at all, end quietly', async ({ stage,
     'story.eml': '<eml><body/></eml>',
   });
   await stage.ready();
-  // What is thrown in a listener fails this test by itself.
+  // An error thrown in a listener fails this test automatically.
   await stage.player.evaluate((p: RaconteurPlayer) => p.play());
   await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => [p.paused, p.ended])).toEqual([true, true]);
   const second = page.locator('raconteur-player').nth(1);
@@ -30,7 +30,7 @@ test('an empty story with `loop`, and none at all, end quietly', async ({ stage,
   await second.evaluate((p: RaconteurPlayer) => p.play());
   await page.waitForTimeout(500);
   const seeks = await page.evaluate(() => window.record.events.filter((e) => e.type === 'seeking').length);
-  // Playing what has ended goes back to its beginning, once.
+  // Playing an ended story seeks to its beginning once.
   expect(seeks).toBeLessThan(3);
 });
 
@@ -48,7 +48,7 @@ test('plain text between the tags is told, sentence by sentence, and is hidden',
   await expect.poll(() => words(stage), { timeout: 60_000 }).toEqual(all);
   const told = await stage.player.evaluate((p: RaconteurPlayer) => p.duration);
   expect(told).toBeGreaterThan(3);
-  // Another text takes its place.
+  // Another text replaces it.
   await stage.player.evaluate((p) => void (p.textContent = 'Ende.'));
   await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.duration)).toBeLessThan(told - 1);
 });
@@ -70,7 +70,8 @@ test('EML between the tags is carried by a script, or escaped', async ({ stage, 
     await page.evaluate(() => void (window.record.events.length = 0));
     await stage.pause(player);
   }
-  // What the parser of HTML has read is no EML any more: its words are told, and the page's author hears of it.
+  // Markup that the HTML parser has changed is no longer valid EML: the element speaks its words
+  // and reports a diagnostic to the page's author.
   const mangled = page.locator('raconteur-player').nth(2);
   await stage.ready(mangled);
   expect(await mangled.evaluate((p: RaconteurPlayer) => p.diagnostics.map((d) => d.code))).toContain('text-as-html');
@@ -126,7 +127,7 @@ test('lines are performed without a story, one after another, and time goes on',
   expect(await stage.player.evaluate((p: RaconteurPlayer) => [p.paused, p.ended, p.duration, p.error])).toEqual([false, false, Infinity, null]);
   await perform('Still here');
   await expect.poll(() => words(stage), { timeout: 60_000 }).toEqual(['Here', 'I', 'am', 'Still', 'here']);
-  // Of the empty stage there is nothing to complain.
+  // The empty stage has no diagnostics.
   expect((await codes(stage)).filter((code) => code.startsWith('eml::'))).toEqual([]);
 });
 
@@ -146,7 +147,7 @@ test('a mind needs no story', async ({ stage }) => {
   await unseen(stage);
   await stage.open('<raconteur-player quality="lowest"></raconteur-player>');
   await stage.player.evaluate((p: RaconteurPlayer) => p.play().catch(() => undefined));
-  // There is none at such an address; the stage is there all the same.
+  // No mind exists at such an address; the stage loads nevertheless.
   await stage.player.evaluate((p: RaconteurPlayer) => void (p.mind = 'javascript:alert(1)'));
   await stage.ready();
   await expect.poll(() => codes(stage)).toEqual(['mind-address']);
@@ -154,7 +155,7 @@ test('a mind needs no story', async ({ stage }) => {
 
 test('what nobody says is read: captions are shown unasked, until they are refused', async ({ stage }) => {
   await unseen(stage);
-  // Nothing speaks: no engine of the page, and no voice of the browser.
+  // No speech is available: neither an engine of the page nor a voice of the browser.
   await stage.page.addInitScript(() => Object.defineProperty(window, 'speechSynthesis', { value: undefined }));
   await stage.open(
     `<raconteur-player controls speech="browser" ${ATTRIBUTES}>One two three four five six seven eight nine ten. Eleven twelve thirteen fourteen.</raconteur-player>`,

@@ -54,7 +54,7 @@ test('who was chosen tells the next story, too, and so does a file of the user',
   await ready(page.locator('raconteur-player'));
   expect(await current(page)).toBe('papous');
   await expect(page.getByRole('button', { name: 'Papous' })).toHaveAttribute('aria-pressed', 'true');
-  // Chosen while a story is on its way, she stays as well.
+  // A figure chosen while a story loads also stays.
   await page.getByRole('button', { name: 'Amara' }).click();
   await page.getByRole('button', { name: /Hello world/ }).click();
   await expect(page).toHaveURL(/#hello-world\/amara$/);

@@ -23,7 +23,7 @@ const PAGE = `<media-controller style="width: 460px; height: 300px">
 async function open(stage: Stage): Promise<void> {
   const made = [{ text: 'One two three', msec: 20_000, samples: new Float32Array(882_000) }];
   const files = { 'story.eml': story("<voice-text time='0'>One two three</voice-text>"), 'controls.js': readFileSync(CONTROLS), ...voiceFiles(made) };
-  // Their styles stand in their script, which a strict policy forbids.
+  // Their styles are in their script, which a strict policy forbids.
   await stage.open(PAGE, files, '', false);
   await stage.ready();
 }
@@ -52,7 +52,7 @@ test('controls for media elements drive the player', async ({ stage, page }) => 
   await expect.poll(async () => (await state()).secs).toBeLessThan(4);
   await page.locator('media-play-button').click();
   await expect.poll(async () => (await state()).paused).toBe(true);
-  // What the player changes by itself the controls follow.
+  // The controls follow changes that the player makes itself.
   await stage.player.evaluate((p: RaconteurPlayer) => Object.assign(p, { muted: false, captions: false, currentTime: 12 }));
   await expect.poll(() => understood(stage, 'mediacurrenttime')).toBe('12');
   await expect.poll(() => understood(stage, 'mediasubtitlesshowing')).toBe(null);

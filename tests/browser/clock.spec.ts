@@ -47,10 +47,10 @@ function listen(): void {
   window.positions = [];
   window.pictures = [];
   window.turns = [];
-  // Between two readings of the clock a busy machine may do something else: so it is the engine's
-  // own reading that is noted.
+  // A busy machine may run other work between two readings of the clock, so the test records the
+  // engine's own reading.
   const last = { currentTime: NaN, outputLatency: NaN };
-  // Listeners evaluate as well: the first evaluation of a picture counts.
+  // Listeners evaluate too: the first evaluation of a frame counts.
   let task = 0;
   const begins =
     <A extends unknown[]>(work: (...args: A) => void) =>
@@ -87,7 +87,7 @@ function listen(): void {
       true,
     );
   }
-  // The engine draws the picture of a moment: lips, tissue and all.
+  // The engine evaluates and renders the frame of a time: lips, tissue and all.
   const { instantiate } = WebAssembly;
   WebAssembly.instantiate = (async (source: WebAssembly.Module, imports?: WebAssembly.Imports) => {
     const made = (await instantiate.call(WebAssembly, source, imports)) as unknown as WebAssembly.Instance;
@@ -115,13 +115,13 @@ test('over many seeks, the phone that the engine thinks is heard is heard', asyn
   test.setTimeout(400_000);
   await tapInto(page);
   await page.addInitScript(listen);
-  // What is said is looked for in what is heard, which music would cover.
+  // The test searches the audible sound for the speech, which music would mask.
   await page.route('**/white-rabbit/story.eml', async (route) => {
     const response = await route.fetch();
     const quiet = (await response.text()).replace("set='fireside'", "set='fireside' music='false'");
     await route.fulfill({ response, body: quiet });
   });
-  // A small picture, so that pictures drawn in software come often.
+  // A small stage, so that frames rendered in software come often.
   await stage.open('<raconteur-player src="/assets/stories/white-rabbit/story.eml" quality="lowest"></raconteur-player>', {
     'test.css': 'raconteur-player { width: 48px; height: 48px; aspect-ratio: auto }',
   });
@@ -156,7 +156,7 @@ test('over many seeks, the phone that the engine thinks is heard is heard', asyn
   await stage.pause();
   await page.waitForTimeout(300);
 
-  // --- what was heard ---
+  // --- audible sound ---
   const heard = await captured(page);
   expect(heard.samples.length / heard.sampleRate).toBeGreaterThan((SEEKS * PLAYED_MS) / 1000);
   const { phones, positions, pictures, turns } = await page.evaluate(() => ({
@@ -208,7 +208,7 @@ test('over many seeks, the phone that the engine thinks is heard is heard', asyn
     return found.likeness < LIKENESS ? undefined : { at: ((found.at + half) / heard.sampleRate) * run.rate, rate: run.rate };
   };
 
-  // --- the last phone before each moment that the engine evaluated ---
+  // --- last phone before each time that the engine evaluated ---
   const told = phones.filter((p, i) => phones[i + 1]?.clock !== p.clock);
   const amiss: number[] = [];
   for (const { clock, utterance, startSecs, endSecs } of told) {
@@ -229,7 +229,7 @@ test('over many seeks, the phone that the engine thinks is heard is heard', asyn
     return drifts;
   };
   const drifts = await off(positions);
-  // --- and the moment that a picture shows: face and lips, against the sound at the time of drawing ---
+  // --- time that a frame shows: face and lips, compared with the audio at the time of drawing ---
   const every = Math.max(1, Math.floor(pictures.length / 400));
   const shown = await off(pictures.filter((_, i) => i % every === 0));
   const sorted = (numbers: readonly number[]) => [...numbers].sort((a, b) => a - b);

@@ -38,7 +38,7 @@ test('a reload at once after a press loses nothing, nor body, light and view', a
   await page.getByRole('combobox', { name: 'Light' }).selectOption('Lamp');
   await page.getByRole('button', { name: 'Right', exact: true }).click();
   await expect.poll(() => page.locator('#player').evaluate((p: RaconteurPlayer) => p.currentFigure)).toBe('papous');
-  // The press and the reload are in one turn of the page: nothing that waits comes to its end.
+  // The key press and the reload happen in one turn of the page, so no pending work completes.
   await editor(page).evaluate((e: RaconteurComposite) => {
     const more = [...(e.shadowRoot?.querySelectorAll('button') ?? [])].find((b) => b.getAttribute('aria-label') === 'weight: more');
     more?.click();
@@ -85,7 +85,7 @@ test(`${KILLS} tabs that are killed have lost no step that was acknowledged`, as
   for (let kill = 0; kill < KILLS; kill += 1) {
     const page = await context.newPage();
     await open(page);
-    // Each kill hits a session of its own: to come back to a long one takes long.
+    // Each kill uses its own session, because restoring a long session takes long.
     await editor(page).evaluate(async (e: RaconteurComposite) => {
       const start = e.save();
       await e.open({ ...start, steps: start?.steps.slice(0, 1), here: 0 });
@@ -107,7 +107,7 @@ test(`${KILLS} tabs that are killed have lost no step that was acknowledged`, as
     await ready(again);
     const { steps, here } = await saved(again);
     all += steps.length - 1;
-    // What came after the last that was told may be there, too.
+    // Steps after the last reported one may be stored, too.
     expect(steps.length, `kill ${kill}`).toBeGreaterThanOrEqual(told.count);
     if (steps.length === told.count) expect(here, `kill ${kill}`).toBe(told.here);
     await again.close();
@@ -125,7 +125,7 @@ test('two tabs have each its work, and both are found, opened and deleted', asyn
   await other.getByRole('button', { name: 'sex, shape: less' }).click();
   await other.getByRole('button', { name: 'sex, shape: less' }).click();
   await page.getByRole('button', { name: 'weight: more' }).click();
-  // Each goes on with its own after a reload.
+  // Each tab continues with its own session after a reload.
   for (const [tab, count] of [
     [page, 3],
     [other, 4],
@@ -137,7 +137,7 @@ test('two tabs have each its work, and both are found, opened and deleted', asyn
   expect((await listed(page)).map((text) => /\d+ steps?.*$/.exec(text)?.[0])).toEqual(expect.arrayContaining(['2 steps, open here', '3 steps, open in another tab']));
   await expectNoBarriers(page, 'kept sessions');
   await other.close();
-  // The browser takes a moment to give back what a tab held that is closed; the list is read when it is opened.
+  // The browser releases the locks of a closed tab after a moment; the list is read when it opens.
   const reopen = page.getByRole('button', { name: /^Open: / });
   await expect(async () => {
     await page.getByText('Stored sessions', { exact: true }).click();

@@ -24,7 +24,7 @@ async function saved(page: Page, button: string, within = DRAWN_MS): Promise<{ n
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
 
-// Ninety-six pictures take minutes in software.
+// Ninety-six portraits take minutes in software.
 if (isLong) {
   test('the film is a video where the browser has an encoder', async ({ page }) => {
     test.slow();
@@ -168,7 +168,7 @@ test.describe('in one visit', () => {
     await page.getByRole('button', { name: 'Cancel' }).click();
     await expect(page.locator('#status')).toHaveText('Film: cancelled.');
     await expect(page.getByRole('progressbar', { name: 'Film' })).not.toBeAttached();
-    // The player that took its pictures is gone.
+    // The player that rendered the portraits is removed.
     await expect(page.getByLabel('Pictures of the face')).toHaveCount(0);
     const { name, bytes } = await saved(page, 'Save film');
     expect(name).toBe('face.gif');

@@ -106,7 +106,7 @@ test.describe('in one visit', () => {
     await tab(page, 'History');
     await expect(present(page)).toContainText('moved, nose');
     await expect(page.getByRole('list', { name: 'Steps' }).getByRole('listitem')).toHaveCount(2);
-    // Beside the head nothing is chosen.
+    // A click next to the head chooses nothing.
     await tab(page, 'Parts');
     await page.getByText('turns the head', { exact: true }).click();
     await page.mouse.click(...(await at(page, 0.03, 0.1)));
@@ -230,7 +230,7 @@ test.describe('in one visit', () => {
     await page.locator('raconteur-composite').evaluate((e) => e.setAttribute('quality', 'auto'));
     await press(page, 'weight: more');
     await expect(fine).toBeVisible({ timeout: 60_000 });
-    // It is gone for a second or two only, and a busy page may be asked too late.
+    // It is hidden for only a second or two, and a busy page may be queried too late.
     const seen = await fine.evaluateHandle((canvas: HTMLElement) => {
       const seen = { hidden: false };
       new MutationObserver(() => {

@@ -80,7 +80,7 @@ const embedded = (page: Page, id: string) => {
 
 /** Opens two editors on a third-party page with a strict policy. */
 async function openTwo(stage: Stage, page: Page): Promise<[Embedded, Embedded]> {
-  // Two stages are drawn by a processor that has two cores for all tests.
+  // A processor renders two stages, with two cores for all tests.
   test.setTimeout(480_000);
   await page.setViewportSize({ width: 1300, height: 900 });
   const body = `<script type="module" src="/raconteur-composite.js"></script><h1>A page</h1><input aria-label="Elsewhere">
@@ -129,7 +129,7 @@ test('two editors stand on a strict page of somebody else, each for itself', asy
   expect(await one.editor.evaluate((e: RaconteurComposite) => e.save()?.here)).toBe(0);
   await one.editor.evaluate((e: RaconteurComposite) => e.redo());
 
-  // The layout is that of its own width, the colours are those of the page.
+  // The layout depends on the element's own width, the colours on the page.
   const place = (editor: Locator, name: string) =>
     editor.locator(name).evaluate((e) => e.getBoundingClientRect().left - (e.getRootNode() as ShadowRoot).host.getBoundingClientRect().left);
   expect(await place(one.editor, '.controls')).toBeGreaterThan(500);
@@ -137,7 +137,7 @@ test('two editors stand on a strict page of somebody else, each for itself', asy
   await expect(two.editor.getByRole('button', { name: 'Speak' })).toHaveCSS('background-color', 'rgb(0, 90, 160)');
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(1300);
 
-  // What is saved is opened by another; what cannot be is refused.
+  // Another editor opens the saved state and refuses an invalid one.
   const moved = await one.editor.evaluate(async (e: RaconteurComposite, other) => {
     await document.querySelector<RaconteurComposite>(other)?.open(e.save());
     return await e.open({ format: 'nothing' }).catch((error: Error) => error.message);
@@ -154,7 +154,7 @@ test('two editors come back with their work: where they are moved, taken away, a
     await expect(value(editor, 'weight')).toHaveValue('0.01');
   }
 
-  // An element that is moved goes on; one that is away for longer comes back with its face.
+  // A moved element continues; an element that returns after longer restores its face.
   await one.editor.evaluate((e: RaconteurComposite) => document.querySelector('#there')?.append(e));
   await expect(value(one.editor, 'weight')).toHaveValue('0.01');
   await page.evaluate(async () => {
@@ -167,7 +167,7 @@ test('two editors come back with their work: where they are moved, taken away, a
   await expect.poll(() => two.editor.evaluate((e: RaconteurComposite) => e.player?.currentTime), { timeout: 60_000 }).toBe(1.6);
   expect(await two.editor.evaluate((e: RaconteurComposite) => e.snapshot()?.width)).toBeGreaterThan(100);
 
-  // The browser keeps the work of each under its own name.
+  // The browser stores the work of each editor under its own name.
   await one.editor.evaluate((e: RaconteurComposite) => e.undo());
   await page.reload();
   await Promise.all([one.ready(), two.ready()]);
@@ -191,7 +191,7 @@ test('an editor begins with a saved session, and says what it cannot open', asyn
   await one.ready();
   await one.editor.getByRole('tab', { name: 'History' }).click();
   await expect(one.editor.locator('[aria-current="step"]')).toContainText('A random face');
-  // Nothing is kept where the page did not ask for it.
+  // Nothing is stored unless the page requests it.
   expect(await page.evaluate(async () => (await indexedDB.databases()).length)).toBe(0);
 });
 
@@ -262,7 +262,8 @@ test.describe('in one visit', () => {
     const editor = page.locator('raconteur-composite');
     // The page itself marks an editor that is ready.
     expect(await editor.evaluate((e) => e.getAttributeNames().filter((name) => name !== 'data-ready'))).toEqual(['id', 'session', 'label']);
-    // What an element tells of itself by ElementInternals is in the tree of the browser alone.
+    // Properties that an element sets through ElementInternals appear only in the accessibility
+    // tree of the browser.
     const devtools = await page.context().newCDPSession(page);
     const { nodes } = await devtools.send('Accessibility.getFullAXTree');
     expect(nodes.some(({ role, name }) => role?.value === 'region' && name?.value === 'Build a face')).toBe(true);
@@ -360,7 +361,7 @@ test.describe('in one visit', () => {
     await page.getByText('66 and older', { exact: true }).click();
     const faces = page.locator('.sheet button');
     await expect(faces.first()).toContainText(/^\s*Woman of (6[6-9]|7\d|80)/);
-    // Choosing changes nothing by itself.
+    // Choosing a part is not a step that can be undone.
     await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
     await expect(page.locator('.sheet img').first()).toBeVisible({ timeout: 60_000 });
     await faces.nth(1).click();

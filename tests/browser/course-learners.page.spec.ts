@@ -111,7 +111,7 @@ interface Truth {
 async function opened(context: BrowserContext, world: World, truth: Truth): Promise<{ page: Page; frame: Frame }> {
   const page = await context.newPage();
   await page.addInitScript(() => {
-    // What is recorded does not depend on what is drawn.
+    // The recorded data does not depend on rendering.
     HTMLCanvasElement.prototype.getContext = () => null;
     Object.defineProperty(navigator, 'gpu', { value: undefined });
   });
@@ -168,7 +168,8 @@ async function learn(context: BrowserContext, world: World, next: Next): Promise
     }
     if (isLast) {
       await world.fault(page, undefined);
-      // What could not be told is tried again within a minute; a page that is left says it at once, and the next one the rest.
+      // The page sends a failed report again within a minute. A page that unloads sends it
+      // immediately, and the next page sends the rest.
       await page.goto('about:blank');
       const again = await opened(context, world, truth);
       await expect.poll(async () => (await world.record(again.page)).answers.length, { timeout: 90_000 }).toBe(truth.told.length);
@@ -176,13 +177,13 @@ async function learn(context: BrowserContext, world: World, next: Next): Promise
         const { optional, duration } = document.querySelector('raconteur-player') as RaconteurPlayer;
         return { optional, duration };
       });
-      // The story plays before the system has told what was answered.
+      // The story plays before the system has returned the earlier answers.
       const score = () => again.frame.evaluate(() => (document.querySelector('raconteur-player') as RaconteurPlayer).score.points);
       await expect.poll(async () => (await score()) - (await world.record(again.page)).points, { timeout: 60_000 }).toBe(0);
       const scored = await score();
       await again.page.goto('about:blank');
       await again.page.waitForTimeout(500);
-      // What a system keeps here is read from a page of its own place.
+      // A page of the same origin reads the data that a system stores here.
       await again.page.route('**/nothing', (route) => route.fulfill({ contentType: 'text/html', body: '<title>Nothing</title>' }));
       await again.page.goto('/nothing');
       const { answers, points, isComplete } = await world.record(again.page);
@@ -193,7 +194,7 @@ async function learn(context: BrowserContext, world: World, next: Next): Promise
       if (isComplete) expect(share).toBeGreaterThan(WATCHED - 0.05);
       else expect(share).toBeLessThan(WATCHED + LOST_SHARE);
     } else if (next() < 0.5) {
-      // The machine goes down.
+      // The machine shuts down.
       const devtools = await context.newCDPSession(page);
       await Promise.race([devtools.send('Page.crash').catch(() => undefined), page.waitForEvent('crash')]);
     } else await page.goto('about:blank');

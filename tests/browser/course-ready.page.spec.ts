@@ -52,7 +52,7 @@ test('the ready course is passed with the keyboard alone, and the system has all
     first: () => press('Space', 'Enter'),
     bones: async () => {
       const names = questions[4]?.options.map(({ text }) => text) ?? [];
-      // Each is brought to its place, the first one first, by its button.
+      // Each option is moved to its place with its button, the first one first.
       for (const [place, text] of names.entries()) {
         for (let i = 0; i < 5; i += 1) {
           const shown = await form.locator('li span').allTextContents();
@@ -69,7 +69,7 @@ test('the ready course is passed with the keyboard alone, and the system has all
       await press('Tab', 'Enter');
     },
   };
-  // The system has brought the learner here by a link.
+  // The system opens the page through a link, which counts as activation.
   await page.frameLocator('iframe').getByRole('heading').first().click();
   for (const { name, atSecs } of questions) {
     await player.evaluate((p: RaconteurPlayer, secs) => {

@@ -80,7 +80,7 @@ test('a course is taken by the keyboard on a phone, in its language, to its resu
   await page.keyboard.press('Space');
   await page.keyboard.press('Enter');
   await expect(result.getByText('Aprovado', { exact: true })).toBeVisible();
-  // What is there is there for whoever comes back.
+  // Learners who return find the stored data.
   await page.reload();
   await ready(player);
   expect(await player.evaluate((p: RaconteurPlayer) => p.score)).toEqual({ points: 2, most: 2 });

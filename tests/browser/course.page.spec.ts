@@ -29,7 +29,8 @@ for (const [standard, first] of [
     const manifest = manifestOf();
     const several = manifestOf(HELLO, HELLO);
     const all = schemasOf(standard);
-    // One schema has the names of all spaces, so that all elements and attributes are looked at.
+    // One schema imports the names of all namespaces, so that all elements and attributes are
+    // validated.
     const spaces = [...manifest.matchAll(/xmlns(?::\w+)?="([^"]+)"/g)].map(([, space]) => space ?? '');
     const imports = Object.entries(all).flatMap(([name, text]) => {
       const space = /targetNamespace\s*=\s*"([^"]+)"/.exec(text)?.[1] ?? '';
@@ -41,7 +42,7 @@ for (const [standard, first] of [
     const check = (contents: string) => validateXML({ xml: [{ fileName: 'imsmanifest.xml', contents }], schema: [{ fileName: 'all.xsd', contents: schema }], preload });
     expect((await check(manifest)).errors).toEqual([]);
     expect([several.match(/<item /g)?.length, (await check(several)).errors]).toEqual([3, []]);
-    // It looks at what it should.
+    // The check detects a deliberate error.
     expect((await check(manifest.replace('<organizations', '<organisations').replace('</organizations', '</organisations'))).valid).toBe(false);
     expect((await check(manifest.replace(/adlcp:scorm[tT]ype="sco"/, (found) => found.replace('"sco"', '"lesson"')))).valid).toBe(false);
   });
@@ -63,7 +64,7 @@ for (const [standard, system] of Object.entries(SYSTEMS) as [keyof typeof SYSTEM
     expect(await player.evaluate((p: RaconteurPlayer) => p.currentTime)).toBeCloseTo(at, 1);
     await page.frameLocator('iframe').getByRole('button', { name: 'Play' }).first().click();
     await expect.poll(() => kept(page, system.status), { timeout: 60_000 }).toBe('completed');
-    // Two pictures are looked for by the browser itself.
+    // The browser itself requests two icons.
     expect(missing.filter((path) => path !== 'favicon.ico')).toEqual([]);
   });
 }

@@ -98,7 +98,7 @@ test('two settings stand side by side and play as one', async ({ stage, page }) 
   await expect.poll(async () => Math.min(...(await times()))).toBeGreaterThan(SHOWN_SECS + 0.5);
   expect(await page.locator('raconteur-player').evaluateAll((all) => (all as RaconteurPlayer[]).map((p) => p.muted))).toEqual([false, true]);
   await expect.poll(() => page.evaluate(() => window.record.starts.length)).toBeGreaterThan(0);
-  // What is changed while it plays goes on playing, and so does the other one.
+  // A change during playback does not stop it, nor the other player.
   await strength(page, 1);
   await expect.poll(() => page.locator('#a').evaluate((p: RaconteurPlayer) => p.readyState === 4 && p.textContent)).toContain('potential="1"');
   await expect.poll(() => page.locator('raconteur-player').evaluateAll((all) => all.map((p) => (p as RaconteurPlayer).paused))).toEqual([false, false]);
@@ -108,7 +108,7 @@ test('two settings stand side by side and play as one', async ({ stage, page }) 
   await choose(page, 'Compare', 'button');
   await expect(page.locator('#b')).toBeHidden();
 
-  // At its end it stands again where all has come.
+  // At its end it returns to the time at which all emotions are visible.
   await page.locator('#a').evaluate((p: RaconteurPlayer) => void (p.currentTime = p.duration - 0.5));
   await choose(page, 'Play', 'button');
   await expect.poll(() => page.locator('#a').evaluate((p: RaconteurPlayer) => [p.paused, p.currentTime])).toEqual([true, SHOWN_SECS]);
@@ -122,7 +122,7 @@ test('the disc is dragged and walked by keys: direction is the type, distance it
   const box = await disc.boundingBox();
   if (box === null) throw new Error('no disc');
   const middle = [box.x + box.width / 2, box.y + box.height / 2] as const;
-  // Love lies 30° below the horizontal of the good side; the rim is 88 of 170 to the side.
+  // Love is 30° below the horizontal of the positive side; the rim is 88 of 170 to the side.
   const rim = (box.width / 2) * (88 / 170);
   await page.mouse.move(...middle);
   await page.mouse.down();

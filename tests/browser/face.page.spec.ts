@@ -64,7 +64,7 @@ test('the disc is dragged and moved by keys, and the face follows', async ({ sta
   const disc = page.getByRole('button', { name: /^Emotion:/ });
   const box = await disc.boundingBox();
   if (box === null) throw new Error('no disc');
-  // Joy lies at an evaluation of 42 and an activation of 17, of 108 to every side.
+  // Joy has an evaluation of 42 and an activation of 17; the disc extends 108 to every side.
   const spot = (e: number, a: number): [number, number] => [box.x + (box.width * (1 + e / 108)) / 2, box.y + (box.height * (1 - a / 108)) / 2];
   await page.mouse.move(...spot(0, 0));
   await page.mouse.down();
@@ -134,10 +134,10 @@ test('a sentence of a story is spoken in its voice, with phones and curves under
   await expect(page.locator('.phone text').filter({ hasText: /^w$/ })).not.toHaveCount(0);
   await expect(page.locator('.curve')).toHaveCount(12);
   await expect(page.locator('.names')).toContainText('Lips sealed');
-  // The bundle is at hand: nothing is guessed.
+  // The bundle is available, so nothing is estimated.
   await expect(page.locator('#problems')).toBeEmpty();
 
-  // What accompanies it follows the sound or the text.
+  // Accompanying movements follow the audio or the text.
   const brows = async (): Promise<readonly number[]> => (await curves(page, (p) => [0, p.duration, 200])).muscles[INNER_BROW] ?? [];
   const bySound = await brows();
   await page.getByText('From its text').evaluate((b: HTMLElement) => b.click());
@@ -155,7 +155,7 @@ test('layers show springs and muscles, over the skin and without it', async ({ s
   expect(stage.backend).toBe('page');
   await open(page);
   const picture = async (): Promise<Buffer> => (await stage.picture()).png;
-  // The head has come into the middle.
+  // The head has moved to the centre.
   await page.waitForTimeout(1500);
   const seen = [await picture()];
   for (const layer of ['Muscles', 'Springs', 'Skin']) {
@@ -196,7 +196,7 @@ for (const [width, height] of [
     for (const tab of ['Muscles', 'Jaw & more', 'Visemes']) {
       await turnTo(page, tab);
       const last = page.locator('.dial').last();
-      // As the keyboard comes to it.
+      // Keyboard focus reaches it.
       await last.getByRole('slider').focus();
       const seen = await last.evaluate((row) => {
         const { left, right, top, bottom } = row.getBoundingClientRect();

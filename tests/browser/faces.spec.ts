@@ -38,7 +38,7 @@ test('a random face tells the story, and its own comes back', { tag: '@draws' },
   // It plays on, and the lips move.
   await stage.seek(1.6);
   expect(await stage.difference(changed, (await stage.picture()).png)).toBeGreaterThan(0.02);
-  // Nobody has to seek: the picture is drawn anew.
+  // No seek is needed: the player renders the frame again.
   await stage.seek(1);
   await stage.player.evaluate(async (p: RaconteurPlayer) => await p.setFace(undefined));
   await expect.poll(async () => await stage.difference(before, (await stage.picture()).png), { timeout: 20_000 }).toBeLessThan(0.05);

@@ -11,14 +11,14 @@ const sofia = readFileSync(join(figures, 'sofia.glb'));
 /** Returns the image without the fade-in of a new one; the first arrives some time after the story is ready. */
 async function look(stage: Stage): Promise<Buffer> {
   await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.statistics?.firstFrameMs ?? 0), { timeout: 60_000 }).toBeGreaterThan(0);
-  // Only the canvas counts: notices and controls come and go over it.
+  // Only the canvas counts, because notices and controls appear and disappear over it.
   await stage.player.evaluate((p: RaconteurPlayer) => {
     const canvas = p.shadowRoot?.querySelector('canvas') ?? null;
     for (const e of p.shadowRoot?.querySelectorAll<HTMLElement>('*') ?? []) {
       if (!e.contains(canvas)) e.style.opacity = '0';
     }
   });
-  // A picture that stands still is drawn once more with every pixel.
+  // A frame that stays still is rendered again at full resolution.
   let png = (await stage.picture()).png;
   await expect
     .poll(
@@ -40,7 +40,7 @@ const trouble = (stage: Stage) => stage.player.evaluate((p: RaconteurPlayer) => 
 async function open(stage: Stage, files: { [path: string]: string | Buffer }): Promise<void> {
   await stage.open('<raconteur-player src="/assets/stories/hello-world/story.eml" controls captions></raconteur-player>', files);
   await stage.ready();
-  // Before anybody has played or sought, the figure moves.
+  // The figure moves before anybody has played or sought.
   await stage.seek(0);
 }
 

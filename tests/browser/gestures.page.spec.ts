@@ -56,7 +56,7 @@ test('the ball is rolled, the text says so, and one undo takes all of it back', 
   const before = await text(page);
   const ball = page.locator('.ball');
   await expect(ball).toHaveAccessibleName(/Palm to the front, fingers up/);
-  // A quarter of the way round, to the speaker's left.
+  // A quarter turn, towards the speaker's left.
   const box = await ball.boundingBox();
   await drag(page, ball, (box?.width ?? 0) * 0.4 * (Math.PI / 2), 0);
   await expect(ball).toHaveAccessibleName(/Palm to the speaker’s left/);
@@ -81,7 +81,7 @@ test('a hand is dragged in the picture, and follows the pointer', async ({ stage
   const to = await drag(page, grip, 24, 60);
   const box = await grip.boundingBox();
   expect(Math.hypot((box?.x ?? 0) + (box?.width ?? 0) / 2 - to.x, (box?.y ?? 0) + (box?.height ?? 0) / 2 - to.y)).toBeLessThan(4);
-  // To the right of the picture is the speaker's left, downwards is down.
+  // The right of the image is the speaker's left, downwards is down.
   await expect.poll(async () => ((await target(page))[0] ?? 0) - (from[0] ?? 0)).toBeGreaterThan(0.03);
   await expect.poll(async () => (from[1] ?? 0) - ((await target(page))[1] ?? 0)).toBeGreaterThan(0.1);
   const now = await target(page);
@@ -164,7 +164,7 @@ test('a shape is picked from all 61 pictures, by pointer and by keys', async ({ 
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
   await expect.poll(() => text(page)).toContain('<key id="4"/>');
-  // The pictures are there: the sheet of 8 by 8.
+  // The images are available: the sheet of 8 by 8.
   const sheet = await page.evaluate(async () => {
     const picture = document.querySelector('.shapes .picture');
     const url = /url\("(.*)"\)/.exec(picture === null ? '' : getComputedStyle(picture).backgroundImage)?.[1] ?? '';
@@ -343,7 +343,7 @@ test('a hand that gestures is in the picture from every side at each width', asy
     ] as const) {
       await moved(player, () => page.setViewportSize({ width, height }));
       const shown = await sides.evaluate((select: HTMLSelectElement) => select.selectedOptions[0]?.text ?? '');
-      // The one that is shown comes last: to choose it again would draw nothing.
+      // The current side comes last, because choosing it again would render nothing.
       const names = await sides.locator('option').allTextContents();
       for (const side of [...names.filter((name) => name !== shown), shown]) {
         await moved(player, () => sides.selectOption(side));

@@ -50,7 +50,7 @@ test('a story that is tapped plays in sight at each width', async ({ stage, page
     expect(await tap(page, /Hello world/), `${width}`).toBeGreaterThan(0);
     await expect.poll(() => unseen(page)).toBe(0);
     await expect.poll(() => page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.label)).toBe('Hello world');
-    // People who ask for less motion are there at once.
+    // Users who prefer reduced motion see the final state immediately.
     await page.emulateMedia({ reducedMotion: 'reduce' });
     expect(await tap(page, /Mathematical dance/), `${width}`).toBe(0);
     await expect.poll(() => page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.label)).toBe('Mathematical dance');
@@ -84,7 +84,7 @@ test('remarks on a script do not stand on the stage', async ({ stage, page }) =>
   expect(stage.backend).toBe('page');
   await open(page, 1440, 900, '#the-road-not-taken');
   const player = page.locator('raconteur-player');
-  // There are some, for those who write it.
+  // Authors see diagnostics.
   expect(await player.evaluate((p: RaconteurPlayer) => p.diagnostics.length)).toBeGreaterThan(0);
   await expect(player.locator('[part=diagnostics]')).toBeHidden();
   await expect(page.locator('#own-remarks')).toBeHidden();
@@ -94,7 +94,7 @@ test('a visitor reads, folded, what is to be said of a figure of their own', asy
   expect(stage.backend).toBe('page');
   await open(page, 1440, 900);
   const glb = readFileSync(join(STORIES, '../figures/sofia.glb'));
-  // A picture of it is none any more.
+  // An image of the file is no longer valid.
   const length = glb.readUInt32LE(12);
   const gltf = JSON.parse(glb.toString('utf8', 20, 20 + length)) as { images: { bufferView: number }[]; bufferViews: { byteOffset?: number }[] };
   const at = 20 + length + 8 + (gltf.bufferViews[gltf.images[0]?.bufferView ?? -1]?.byteOffset ?? Number.NaN);

@@ -36,12 +36,13 @@ test('in a sandboxed frame of another server it plays, and asks nobody else', as
     await stage.open(`<iframe sandbox="allow-scripts" allow="autoplay" src="${origin}/frame.html" width="400" height="300" title="Frame"></iframe>`, files, '', false);
     const inside = page.frameLocator('iframe').locator('raconteur-player');
     await ready(inside);
-    // It has no origin, so nothing may be kept: neither cookies nor databases are there.
+    // The frame has an opaque origin, so nothing can be stored: cookies and databases are
+    // unavailable.
     expect(await inside.evaluate(() => self.origin)).toBe('null');
     await page.frameLocator('iframe').getByRole('button', { name: 'Play the story' }).click();
     await expect.poll(() => inside.evaluate((p: RaconteurPlayer) => p.ended), { timeout: 60_000 }).toBe(true);
     expect((await stage.picture(inside)).spread).toBeGreaterThan(4);
-    // What scripts make is of no server.
+    // URLs that scripts create do not belong to a server.
     asked.delete('null');
     expect([...asked].sort()).toEqual([origin, new URL(page.url()).origin].sort());
   } finally {
@@ -134,10 +135,11 @@ test(`it is taken out and put back ${TIMES} times, in play and at rest`, { tag: 
     return all;
   }, TIMES);
   expect(told.filter(({ error }) => error !== null)).toEqual([]);
-  // As a video it keeps its story and its place, and rests once it was out for longer than a script.
+  // Like a video, the player keeps its story and its position, and pauses if it was detached for
+  // longer than a script runs.
   for (const [i, { ready, moved, paused, awaySecs }] of told.entries()) {
     expect(ready, `${i}`).toBe(4);
-    // It goes on for a moment, which is longer where pictures take long.
+    // It continues for a moment, which is longer if frames take long.
     expect(moved, `${i}`).toBeLessThan(awaySecs + 0.1);
     if (i % 3 > 0) expect(paused, `${i}`).toBe(true);
   }

@@ -1,4 +1,4 @@
-// Which project a spec belongs to, by its name.
+// Selects the test project of a spec by its name.
 
 /** Tests that measure audio in real time; they run without others on the machine. */
 export const SOUND = /(clock|music|play|voice)\.spec/;

@@ -24,7 +24,7 @@ test('who tells a story is chosen without scrolling on a desktop and on a tablet
     const box = await page.locator('.cast').boundingBox();
     expect(box!.y + box!.height, `${width}`).toBeLessThanOrEqual(height);
     const stageBox = await page.locator('raconteur-player').boundingBox();
-    // It stands right below the stage, with no blank between.
+    // It is directly below the stage, without a gap.
     expect(box!.y - (stageBox!.y + stageBox!.height), `${width}`).toBeLessThan(80);
   }
 });
@@ -62,14 +62,14 @@ test('every page and every story finds all that it asks for', async ({ stage, pa
     if (response.status() >= 400) missing.push(`${response.status()} ${response.url()}`);
   });
   for (const path of [...STAGES, ...DOCUMENTS, '#mathematical-dance', '#step-lesson']) {
-    // An address that differs in its fragment alone would not load the page anew.
+    // A URL that differs only in its fragment would not reload the page.
     await page.goto('about:blank');
     await page.goto(`/${path}`);
     await page.waitForLoadState('networkidle');
   }
   expect(missing).toEqual([]);
   expect((await page.request.get('/favicon.ico')).status()).toBe(200);
-  // An address without its slash leads to the page.
+  // A URL without its trailing slash redirects to the page.
   for (const folder of [...STAGES.filter((path) => path !== ''), 'docs/']) {
     const response = await page.request.get(`/${folder.slice(0, -1)}`);
     expect([response.status(), new URL(response.url()).pathname]).toEqual([200, `/${folder}`]);

@@ -47,7 +47,7 @@ test('in every layout it is as large as a video would be', async ({ stage, page 
       i,
     );
     const [video = { width: 0, height: 0 }, ours] = sizes;
-    // A video without a picture is 300 by 150 and has no shape yet; ours is 16 by 9.
+    // A video without a frame is 300 by 150 and has no aspect ratio yet; the player is 16 by 9.
     const [width, height] = [video.width, (video.width * 9) / 16];
     expect(ours, name).toEqual({ width: expect.closeTo(width, 0), height: expect.closeTo(height, 0) });
   }

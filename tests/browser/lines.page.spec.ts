@@ -30,7 +30,7 @@ test('the line that is spoken is lit, then the next', async ({ stage, page }) =>
   await expect.poll(() => current(page).innerText()).not.toBe(first);
   await expect(page.locator('#lines .past').first()).toBeVisible();
   expect(await page.evaluate(() => scrollY)).toBe(0);
-  // What is lit and what is over can be read by day and by night.
+  // The current and the past words are legible in the light and the dark theme.
   await player(page).evaluate((p: RaconteurPlayer) => p.pause());
   for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
@@ -56,7 +56,7 @@ test('a line is sought by click and key, and the box alone scrolls', async ({ st
   await line.focus();
   await page.keyboard.press('Enter');
   await expect(line).toHaveAttribute('aria-current', 'true');
-  // What is heard next are its words; the first begins at the very moment that was sought.
+  // The next spoken words are those of the line; the first begins exactly at the seek target.
   await player(page).evaluate((p: RaconteurPlayer) => p.play());
   const heard = (): Promise<string[]> =>
     page.evaluate(() => window.record.events.filter(({ type }) => type === 'word').map(({ detail }) => (detail as { word: { text: string } }).word.text));
@@ -75,7 +75,7 @@ test('a line is sought by click and key, and the box alone scrolls', async ({ st
 test('what a story says twice is there twice, another one has its own lines and language, and one that says nothing says so', async ({ stage, page }) => {
   expect(stage.backend).toBe('page');
   await open(page, 1440, 'step-lesson');
-  // Its script says more than its bundle has texts.
+  // The script has more text than its bundle.
   await expect.poll(async () => (await text(page)).split(' ').length).toBeGreaterThan(told('step-lesson').length);
   await page.getByRole('button', { name: /Die zwei Parallelen/ }).click();
   await expect.poll(() => text(page)).toBe(told('virtual-poets/zwei-parallelen').join(' '));

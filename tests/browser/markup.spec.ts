@@ -96,7 +96,7 @@ test('tab, click and focus() lead to what takes the keys', async ({ stage, page 
   await page.getByRole('button', { name: 'Before' }).focus();
   await page.keyboard.press('Tab');
   expect(await focused()).toEqual(frame);
-  // Its ring is seen, as nothing else shows where the keys go.
+  // The focus ring is visible, because nothing else shows the keyboard focus.
   expect(await stage.player.locator('.frame').evaluate((e) => getComputedStyle(e, '::after').borderTopWidth)).toBe('3px');
   await page.keyboard.press('Shift+Tab');
   expect((await focused())[0]).toBe('button');

@@ -66,7 +66,7 @@ function makeKit(tag: Tag, backend: string): Kit {
   const told: string[] = [];
   const loads = ['loadstart', 'loadedmetadata', 'loadeddata', 'canplay', 'canplaythrough', 'emptied', 'abort', 'error'];
   for (const type of [...loads, 'play', 'playing', 'pause', 'ended', 'seeking', 'seeked', 'ratechange']) {
-    // A browser tells after each seek that it can play.
+    // A browser fires `canplay` after each seek.
     media.addEventListener(type, () => told.push(type), { once: type.startsWith('canplay') });
   }
   const event = (type: string) => new Promise((done) => media.addEventListener(type, done, { once: true }));
@@ -145,7 +145,7 @@ export async function ask(
       const main = document.querySelector('main');
       const kit = window.makeKit(tag, backend);
       main?.replaceChildren(kit.media);
-      // A media element is there at once; ours is drawn once first.
+      // A media element exists immediately; the player renders once first.
       await (kit.media as RaconteurPlayer).updateComplete;
       const late = new Promise((done) => setTimeout(done, limitMs, `no answer in ${limitMs} ms`));
       const asked = (async () => await window.questions[name]?.(kit, given))().catch((error: Error) => `${error.name}: ${error.message}`);

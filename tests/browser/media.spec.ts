@@ -83,13 +83,13 @@ const QUESTIONS: { [name: string]: (kit: Kit) => unknown } = {
     media.pause();
     await rests;
     events();
-    // It plays at once, so the promise is kept.
+    // Playback starts immediately, so the promise resolves.
     const first = media.play();
     media.pause();
     const became = await settle(first);
     const second = await settle(media.play());
     media.pause();
-    // Events come a little later.
+    // Events fire a little later.
     await new Promise((done) => setTimeout(done, 100));
     return [became, second, media.paused, events()];
   },
@@ -178,7 +178,8 @@ const QUESTIONS: { [name: string]: (kit: Kit) => unknown } = {
 
 test.describe('as a media element', () => {
   const names = Object.keys(QUESTIONS);
-  // Making a picture takes longer than all the rest: in the gate every fourth question is asked with one.
+  // Rendering takes longer than the rest of the test, so the gate tests only every fourth case with
+  // a rendered frame.
   const seen = names.filter((_, i) => isLong || i % 4 === 0);
   for (const { name, hasPicture } of [...names.map((name) => ({ name, hasPicture: false })), ...seen.map((name) => ({ name, hasPicture: true }))]) {
     test(hasPicture ? `${name}, with a picture` : name, async ({ stage }) => {
@@ -224,7 +225,7 @@ test('a context that is closed is replaced, at rest and in play', async ({ stage
   await page.evaluate(() => window.record.contexts[0]?.close());
   await stage.until(at + 0.3);
   expect(await page.evaluate(() => window.record.contexts.map((c) => c.state))).toEqual(['closed', 'running']);
-  // It goes on where it was, with sound.
+  // Playback continues at the same position, with audio.
   const starts = await page.evaluate(() => window.record.starts);
   expect(starts.at(-1)?.offset).toBeGreaterThanOrEqual(at - 0.05);
   await stage.pause();
@@ -237,7 +238,8 @@ test('a context that is closed is replaced, at rest and in play', async ({ stage
 
 test('a browser that forbids sound rejects play(), and nothing has happened', async ({ stage, page }) => {
   await page.addInitScript(() => {
-    // As before anybody has done anything: suspended, and resume() waits for ever.
+    // Simulates an audio context before any user activation: suspended, with a resume() that stays
+    // pending.
     const own = window.AudioContext;
     window.AudioContext = class extends own {
       override get state(): AudioContextState {

@@ -55,7 +55,7 @@ test('a mind makes the storyteller speak a baked line and raise a hand', async (
   mind.send(LINE + HAND);
   const accepted = (await told(mind, (t) => t.kind === 'accepted')) as unknown as { fragment: number; clauses: { element: string; startSecs: number }[] };
   expect(accepted.clauses.map((c) => c.element)).toEqual(['voice-text', 'gesture-key']);
-  // The hand is up, the line is heard and captioned.
+  // The hand is raised, the line is spoken and captioned.
   await told(mind, (t) => t.kind === 'clause' && t['element'] === 'gesture-key' && t['phase'] === 'start');
   const during = await stage.picture();
   expect(await stage.difference(before.png, during.png)).toBeGreaterThan(0.5);
@@ -79,7 +79,7 @@ test('payloads are text, and the page may perform, too', async ({ stage, page, m
   expect([detail.type, detail.payload]).toEqual(['door', '<img src=x onerror=alert(1)>']);
   const answers = await stage.player.evaluate((p: RaconteurPlayer) => p.perform('<event time="0">from the page</event><null time="nobody"/>'));
   expect(answers.map((a) => a.kind)).toEqual(['accepted', 'failed']);
-  // The mind gets events that others cause.
+  // The mind receives events that other sources trigger.
   await told(mind, (t) => t.kind === 'storyevent' && t['payload'] === 'from the page');
 });
 
@@ -93,12 +93,13 @@ test('garbage and a flood cost the mind its connection, not the player its story
   await expect.poll(() => mind.connections, { timeout: 60_000 }).toBe(2);
   const at = await stage.time();
   await stage.until(at + 0.5);
-  // A binary message, or one that is too long for a fragment, ends the connection at once.
+  // A binary message, or a message that is too long for a fragment, closes the connection
+  // immediately.
   mind.sendBytes(Buffer.alloc(64, 7));
   await expect.poll(() => mind.connections, { timeout: 60_000 }).toBe(3);
   mind.send('x'.repeat(70_000));
   await expect.poll(() => mind.connections, { timeout: 60_000 }).toBe(4);
-  // And then it is heard again.
+  // Then the player accepts its messages again.
   mind.send('<event time="0">well again</event>');
   await told(mind, (t) => t['payload'] === 'well again');
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.length)).toBeLessThanOrEqual(200);
@@ -106,10 +107,11 @@ test('garbage and a flood cost the mind its connection, not the player its story
 
 test('what is interrupted falls silent, and its mind hears no more of it', async ({ stage, page, mind }) => {
   await open(stage, mind);
-  // Enough of them that the last has not begun however late a slow machine hears the second.
+  // Enough clauses that the last has not begun, however late a slow machine processes the second
+  // message.
   const last = 8;
   mind.send(...Array.from({ length: last - 1 }, () => LINE), `${LINE}<event time="v+0.1">never</event>`);
-  // One speaks after another.
+  // The clauses speak one after another.
   await expect.poll(() => mind.told.filter((t) => t.kind === 'accepted').length).toBe(last);
   const spoken = mind.told.filter((t) => t.kind === 'accepted').map((t) => (t as unknown as { clauses: { startSecs: number; endSecs: number }[] }).clauses[0]);
   for (const [i, { startSecs } = { startSecs: 0 }] of spoken.slice(1).entries()) expect(startSecs).toBeCloseTo((spoken[i]?.endSecs ?? 0) + 0.15);
@@ -145,7 +147,7 @@ test('words that come piece by piece are said, and an interruption ends them', a
     p.addEventListener('word', () => telling.interrupt(), { once: true });
     await telling.done;
   });
-  // A picture that takes long tells of all that was heard meanwhile.
+  // A slow frame reports all that was spoken in the meantime.
   await stage.until((await stage.time()) + 0.5);
   const told = (await words()).slice(before);
   expect(told[0]).toBe('Once');

@@ -43,7 +43,7 @@ function state(page: Page): Promise<{ drift: number; level: number; rate: number
     const [piece] = window.music;
     const late = window.record.contexts[0]?.outputLatency ?? NaN;
     return {
-      // What is computed now is heard that much later; the player does not believe in more than a second.
+      // Audio computed now is audible after this latency; the player ignores more than a second.
       drift: (piece?.sound.currentTime ?? NaN) - p.currentTime - (late < 1 ? late * p.playbackRate : 0),
       level: piece?.gain?.gain.value ?? NaN,
       rate: piece?.sound.playbackRate ?? NaN,

@@ -25,7 +25,7 @@ test('a script from another server finds its figures, its code and its animation
     expect(await stage.player.evaluate((p: RaconteurPlayer) => [p.assets, p.currentFigure])).toEqual([`${origin}/player/assets/`, 'sofia']);
     expect(asked).toContain('/player/assets/figures/sofia.glb');
     expect(asked.filter((path) => !path.startsWith('/player/'))).toEqual([]);
-    // What the page says is still the page's.
+    // URLs in the page still resolve relative to the page.
     const wanted = page.waitForRequest('**/elsewhere/page/mine/figures/sofia.glb');
     await page.locator('#other').evaluate((p: RaconteurPlayer) => void p.rehearse('<eml><body><null time="1"/></body></eml>').catch(() => undefined));
     await wanted;

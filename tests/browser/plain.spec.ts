@@ -21,7 +21,7 @@ test('imported, made, put into the page, changed and taken out, it throws nothin
     }
     Object.defineProperty(HTMLCanvasElement.prototype, 'getContext', { value: () => null });
   }, LACKING);
-  // Styles stand between the tags there, which the policy of the real page forbids.
+  // The styles are between the tags, which the policy of the real page forbids.
   await stage.open('<main></main>', {}, '', false);
   await page.waitForFunction(() => customElements.get('raconteur-player') !== undefined);
   const states = await page.evaluate(async () => {

@@ -53,7 +53,7 @@ for (const whole of themes) {
   test(`as web-platform-tests expect: ${whole.name}`, async ({ stage }) => {
     const theme = { ...whole, rows: sampled(whole.rows, 2, ({ test }) => test) };
     console.log(`${theme.rows.length} of ${whole.rows.length} rows, drawn by TEST_SEED=${seed}`);
-    // Devices are told of only where a microphone is allowed.
+    // Browsers list devices only if a microphone is allowed.
     await stage.page.context().grantPermissions(['microphone']);
     await openKit(stage, Object.fromEntries(theme.rows.map(({ test, ask }) => [test, ask])), { hasPicture: theme.seen ?? false, isStrict: false });
     if (theme.seen) await makeFilm(stage.page);

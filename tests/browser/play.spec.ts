@@ -22,8 +22,8 @@ test('plays with sound, captions and a moving picture', { tag: '@draws' }, async
   const during = await stage.picture();
   expect(await stage.difference(before.png, during.png)).toBeGreaterThan(0.5);
 
-  // The sound that was planned is the one that the story's time asks for.
-  // Both clocks are read in one task, in which the sound's stands still.
+  // The scheduled audio matches the story's time. Both clocks are read in one task, in which the
+  // audio clock stands still.
   const [now, context, starts] = await stage.player.evaluate((p: RaconteurPlayer) => {
     const audio = window.record.contexts[0];
     return [p.currentTime, (audio?.currentTime ?? 0) - (audio?.outputLatency ?? 0), window.record.starts] as const;
@@ -43,7 +43,7 @@ test('the caption marks the word being spoken', async ({ stage, page }) => {
   await steadyClock(page);
   await stage.load('white-rabbit', 'captions controls');
   const words = first.words;
-  // Playing: whenever the caption changes, it marks the word that is heard at that moment.
+  // During playback: whenever the caption changes, it marks the word spoken at that time.
   const marked = await stage.player.evaluate(async (p: RaconteurPlayer) => {
     const seen: { text: string; at: number }[] = [];
     let text: string | undefined;
@@ -57,7 +57,7 @@ test('the caption marks the word being spoken', async ({ stage, page }) => {
     observer.disconnect();
     return seen;
   });
-  // Spoken words, each at its time in the story; a slow machine shows words of several utterances.
+  // Spoken words, each at its story time; a slow machine shows words of several utterances.
   const told = await page.evaluate(() =>
     window.record.events.filter((e) => e.type === 'utterance').map(({ detail }) => detail as { phase: string; text: string; startSecs: number }),
   );
@@ -106,7 +106,7 @@ test('seeks forwards and back, at rest and while playing', async ({ stage, page 
   expect(await stage.time()).toBeLessThan(12);
   await stage.until(10.4);
   expect(await stage.events()).toEqual(expect.arrayContaining(['seeking', 'seeked']));
-  // Words between the places were not spoken.
+  // Words between the two positions were not spoken.
   const words = await page.evaluate(() => window.record.events.filter((e) => e.type === 'word').map((e) => (e.detail as { word: { startSecs: number } }).word.startSecs));
   expect(words.filter((t) => t > 24 && t < 39.9)).toEqual([]);
 });
@@ -129,7 +129,7 @@ test('plays faster, with sound of the right length', async ({ stage, page }) => 
   await stage.player.evaluate((p: RaconteurPlayer) => void (p.playbackRate = 2));
   await stage.play();
   await stage.until(1);
-  // Against the clock of what is heard: how busy the machine is changes nothing about it.
+  // Compared with the clock of the audible sound, so the load of the machine has no effect.
   const times = () => stage.player.evaluate((p: RaconteurPlayer) => [p.currentTime, window.record.contexts[0]?.currentTime ?? NaN] as const);
   const [begin, heardFrom] = await times();
   await stage.until(begin + 3);
@@ -195,7 +195,7 @@ test('the controls and the keys do what they say', async ({ stage, page }) => {
   await page.keyboard.press('Escape');
   await expect.poll(() => page.evaluate(() => document.fullscreenElement)).toBeNull();
 
-  // By name, as a screen reader does.
+  // By name, as a screen reader finds it.
   const seek = stage.player.getByRole('slider', { name: 'Seek' });
   await seek.focus();
   await page.keyboard.press('Home');

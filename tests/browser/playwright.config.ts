@@ -17,28 +17,30 @@ export default defineConfig<BackendOption>({
   testDir: '.',
   outputDir: join(root, 'test-results'),
   reporter: [['list'], ...(report === undefined ? [] : [['json', { outputFile: report }] as const])],
-  // A picture takes a tenth of a second in software, and two cores are shared with the browser.
+  // A frame takes a tenth of a second in software, and the tests share two cores with the browser.
   timeout: 240_000,
   expect: { timeout: 60_000 },
   fullyParallel: true,
-  // A test that passes at the second try hides a fault: of its own, or of the player.
+  // A test that passes at the second try hides a fault of the test or of the player.
   retries: 0,
   forbidOnly: true,
   use: {
     baseURL: `http://localhost:${port}`,
     viewport: { width: 480, height: 360 },
     launchOptions: { args: chromiumArgs, ...(existsSync(system) ? { executablePath: system } : {}) },
-    // Pictures and copies of the page for every step take a fifth of the time: `BROWSER_TRACE=1` asks for them.
+    // Screenshots and page snapshots of every step take a fifth of the time; `BROWSER_TRACE=1`
+    // enables them.
     trace: { mode: 'retain-on-failure', screenshots: isTraced, snapshots: isTraced, sources: isTraced },
   },
-  // Back ends differ in what draws: in the gate only what is about that runs on both.
+  // Back ends differ in rendering: the gate runs only rendering tests on both.
   projects: [
     { name: 'webgl', use: { backend: 'webgl' }, testIgnore: [PAGE, SOUND] },
     { name: 'webgl-sound', use: { backend: 'webgl' }, testMatch: SOUND },
     { name: 'webgpu', use: { backend: 'webgpu' }, ...(isLong ? { testIgnore: [PAGE, SOUND] } : { grep: /@draws/, testIgnore: PAGE }) },
     // A minute of sound is the same minute on either back end.
     { name: 'webgpu-sound', use: { backend: 'webgpu' }, testMatch: SOUND, testIgnore: /clock\.spec/ },
-    // What pages do does not depend on how finely they are drawn, and a processor draws a quarter of the pixels in a quarter of the time.
+    // The behaviour of pages does not depend on their resolution, and a processor renders a quarter
+    // of the pixels in a quarter of the time.
     { name: 'page', use: { backend: 'page', ...(isLong ? {} : { deviceScaleFactor: 0.5 }) }, testMatch: PAGE },
   ],
   webServer: {

@@ -25,7 +25,7 @@ const focused = (stage: Stage) =>
   stage.player.evaluate((p: RaconteurPlayer) => {
     if (document.activeElement !== p) return 'elsewhere';
     const inner = p.shadowRoot?.activeElement;
-    // Its frame takes the keys.
+    // The player's frame takes the focus.
     if (inner === null || inner === undefined || inner.classList.contains('frame')) return 'player';
     return inner instanceof HTMLInputElement ? inner.value : (inner.textContent ?? '').trim();
   });
@@ -43,7 +43,7 @@ test('who begins a story by keys answers by keys, and goes on with them', async 
   await page.keyboard.press('Enter');
   await expect(form.locator('legend')).toHaveText('Two?');
   await expect.poll(() => focused(stage)).toBe('left');
-  // One key leads from the options to what is next.
+  // One Tab press leads from the options to the next control.
   await page.keyboard.press('Tab');
   expect(await focused(stage)).toBe('Answer');
   await page.keyboard.press('Shift+Tab');
@@ -53,7 +53,7 @@ test('who begins a story by keys answers by keys, and goes on with them', async 
   await page.keyboard.press('Enter');
   await expect(form).toHaveCount(0);
   await expect.poll(() => focused(stage)).toBe('player');
-  // What is read of it is closed by a key, and the focus is not lost.
+  // A key closes the feedback, and the focus is not lost.
   await stage.player.getByRole('button', { name: 'Close' }).focus();
   await page.keyboard.press('Enter');
   await expect.poll(() => focused(stage)).toBe('player');
@@ -68,7 +68,7 @@ test('nothing is missing before somebody answers, and then it is said in the wor
   await expect(status).toHaveText('');
   await form.getByRole('button', { name: 'Answer' }).click();
   await expect(status).toHaveText('There is no answer yet.');
-  // The browser says nothing in a language of its own.
+  // The browser shows no validation messages in its own language.
   expect(await form.evaluate((it: HTMLFormElement) => it.noValidate)).toBe(true);
   await form.getByLabel('A', { exact: true }).check();
   await form.getByRole('button', { name: 'Answer' }).click();

@@ -178,7 +178,7 @@ test('a page asks by a fragment, hears of the answer, and says what follows', as
   await expect(form).toHaveCount(0);
   const state = await stage.player.evaluate((p: RaconteurPlayer) => ({ answered: p.state().answered, paused: p.paused }));
   expect(state).toMatchObject({ answered: [{ name: 'live', given: ['no'], isRight: false }], paused: false });
-  // What is interrupted is not asked.
+  // An interrupted fragment does not ask its question.
   await stage.player.evaluate(async (p: RaconteurPlayer) => {
     await p.perform(`<r:ask xmlns:r='urn:raconteur:eml:1' time='3' name='late' prompt='Late?'><r:option name='yes' text='Yes' right='true'/></r:ask>`);
     p.interrupt();

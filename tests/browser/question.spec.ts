@@ -29,7 +29,7 @@ test('the story rests until it is answered, performs the answer that fits, and g
   await expect(form).toBeVisible();
   expect(await state(stage)).toMatchObject({ paused: true, asked: 'who', score: { points: 0, most: 3 } });
   expect((await state(stage)).secs).toBeCloseTo(1, 2);
-  // It does not go on by itself, nor by a press on play.
+  // The story does not continue, neither automatically nor on pressing play.
   await stage.player.evaluate((p: RaconteurPlayer) => p.play().catch(() => undefined));
   await page.waitForTimeout(600);
   expect(await state(stage)).toMatchObject({ paused: true, asked: 'who' });

@@ -27,14 +27,14 @@ test('a text is put on stage without a file, and changed in place', async ({ sta
 
   await player.evaluate((p: RaconteurPlayer, eml) => p.rehearse(eml), text(-20));
   const after = await target(player);
-  // Ten units of a figure that stands 77 of them high.
+  // Ten units of a figure that is 77 units tall.
   expect((before?.[0] ?? 0) - (after?.[0] ?? 0)).toBeCloseTo((10 / 77) * 1.66, 1);
   expect(await stage.time()).toBe(2);
   expect(await canvas?.evaluate((c) => c.isConnected)).toBe(true);
   const second = await stage.picture();
   expect(await stage.difference(first.png, second.png)).toBeGreaterThan(0.3);
 
-  // The same again gives the same, so it is the text that changed the picture.
+  // The same text gives the same frame again, so the text caused the change.
   await player.evaluate((p: RaconteurPlayer, eml) => p.rehearse(eml), text(-10));
   expect(await target(player)).toEqual(before);
 });

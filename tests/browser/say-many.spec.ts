@@ -41,7 +41,7 @@ test('texts that replace each other at any moment never sound together, and the 
     };
     AudioBufferSourceNode.prototype.stop = function (when = 0) {
       const span = of.get(this);
-      // It fades out within 10 ms of the call, and goes on in silence.
+      // The audio fades out within 10 ms of the call and stays silent.
       if (span !== undefined) span.to = Math.min(span.to, Math.max(span.from, this.context.currentTime + 0.01));
       stop.call(this, when);
     };
@@ -72,7 +72,7 @@ test('texts that replace each other at any moment never sound together, and the 
       },
       story(`Sentence ${i} has ${random(900)} words of its own, number ${random(90)}.`),
     );
-    // However slow the machine is, some are replaced while they are heard.
+    // However slow the machine is, some texts are replaced while they are spoken.
     if (i % 8 === 0) await stage.page.waitForFunction((n) => window.record.events.filter(({ type }) => type === 'word').length > n, spoken, { timeout: 60_000 });
     else await stage.page.waitForTimeout(random(700));
   }
@@ -86,7 +86,7 @@ test('texts that replace each other at any moment never sound together, and the 
   expect(spans.length).toBeGreaterThanOrEqual(TEXTS / 8);
   for (const [i, { from }] of spans.entries()) if (i > 0) expect(from, `sound ${i}`).toBeGreaterThan((spans[i - 1]?.to ?? 0) - 0.02);
   expect(errors).toEqual([]);
-  // Sounds and bundles of texts that have gone are let go.
+  // The player releases the audio and bundles of removed texts.
   expect((await heap()) - before).toBeLessThan(8e6);
 });
 
@@ -112,11 +112,11 @@ test('strange texts are said or told of, and end nothing', async ({ stage }) => 
     await say(stage, text);
     await stage.page.waitForTimeout(300);
   }
-  // Whatever came of them, the next text is said.
+  // The next text is spoken, whatever happened to these.
   await say(stage, 'Still here.');
   const phones = () => stage.page.evaluate(() => window.record.events.flatMap((e) => (e.type === 'phone' ? [(e.detail as { symbol: string }).symbol] : [])).join(' '));
   await expect.poll(phones, { timeout: 90_000 }).toMatch(/s t ih l hh i[hy] r/);
-  // What is loaded needs no network.
+  // Loaded files need no network.
   await stage.page.context().setOffline(true);
   await say(stage, 'Without a wire.');
   await expect.poll(phones, { timeout: 60_000 }).toMatch(/w ay er|w ay r/);

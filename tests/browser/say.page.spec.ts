@@ -30,18 +30,18 @@ test('a visitor types a sentence and the figure says it, with the phones of its 
   await expect.poll(() => phones(page)).toMatch(/hh uw aa?r? ?.*y uw/);
   await expect(page.locator('#say-note')).toContainText('flite speaks');
   expect(page.url()).toContain('#say=Good%20morning');
-  // What was said can be kept.
+  // The spoken text can be saved.
   const [kept] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Keep as a story' }).click()]);
   expect(kept.suggestedFilename()).toBe('my-story.zip');
   const packed = readFileSync(await kept.path());
   for (const name of ['my-story/story.eml', 'my-story/voice/speech.json', '.wav']) expect(packed.includes(name), name).toBe(true);
-  // A second one comes at once, and the first is not said again.
+  // A second text starts immediately, and the first is not spoken again.
   await player.evaluate((p: RaconteurPlayer) => void (p.dataset['phones'] = ''));
   await page.getByLabel('Say it: your own words').fill('And now the cat.');
   await page.getByRole('button', { name: 'Say it' }).click();
   await expect.poll(() => phones(page), { timeout: 60_000 }).toMatch(/k ae t/);
   expect(await phones(page)).not.toMatch(/g uh d m ao/);
-  // A story takes the stage again.
+  // A story replaces the text.
   await page.getByRole('button', { name: /Hello world/ }).click();
   await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.label)).toBe('Hello world');
   await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.duration), { timeout: 60_000 }).toBeLessThan(8);

@@ -8,7 +8,7 @@ test('a story without a recording is spoken in the page, and its words have the 
     'story.eml': "<eml><body><voice-text time='0'>One, two, three.</voice-text></body></eml>",
   });
   await stage.ready();
-  // Nothing is fetched before it is played.
+  // The player fetches no figure before playback.
   expect(await stage.page.evaluate(() => performance.getEntriesByType('resource').some((r) => r.name.includes('flite')))).toBe(false);
   await stage.play();
   await stage.page.waitForFunction(() => document.querySelector('raconteur-player')?.ended, undefined, { timeout: 60_000 });

@@ -178,7 +178,7 @@ export class Stage {
   async open(body: string, files: Files = {}, peer = '', isStrict = true): Promise<void> {
     const strict = (await this.page.request.get('/')).headers()['content-security-policy'] ?? '';
     const policy = strict.replace("connect-src 'self'", `connect-src 'self' ${peer}`.trim());
-    // Nothing speaks in the page unless a test is about that.
+    // Tests do not speak in the page unless they test speech.
     const speech = body.includes('speech=') ? '' : ' speech="browser"';
     const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Test</title>
       <link rel="stylesheet" href="test.css"><script type="module" src="/raconteur-player.js"></script>
@@ -201,7 +201,8 @@ export class Stage {
       }
       return route.fulfill({ body: file, contentType: path.endsWith('.css') ? 'text/css' : 'application/octet-stream' });
     });
-    // Files of a test come from no address at all, so Chromium asks before they reach one of this machine.
+    // Files of a test have no network address, so Chromium asks for permission before they reach a
+    // server on this machine.
     if (peer !== '') await this.page.context().grantPermissions(['local-network-access']);
     await this.page.goto('/test/');
   }
@@ -244,7 +245,7 @@ export class Stage {
 
   /** Returns the image without overlays: mean and spread of brightness, and the bytes for comparison. */
   async picture(player = this.player): Promise<{ spread: number; png: Buffer }> {
-    // The fade-in of a new picture would look like movement.
+    // The fade-in of a new frame would look like movement.
     await this.page.waitForTimeout(700);
     const png = await player.locator('canvas').screenshot({ animations: 'disabled' });
     const spread = await difference(this.page, png, undefined);
@@ -304,7 +305,8 @@ export function watched(context: BrowserContext, file: string): () => void {
 
 /** A test with a stage on the project's back end. */
 export const test = base.extend<{ stage: Stage; visiting: undefined } & BackendOption>({
-  // `npm test -- --changed` runs the specs that visit what has changed: no spec visits what it has not declared.
+  // `npm test -- --changed` runs the specs that visit changed files: a spec may only visit what it
+  // declares.
   visiting: [
     async ({ context }, use, { file }) => {
       const expectDeclared = watched(context, file);

@@ -37,7 +37,7 @@ test('an animation that does not come does not hold up the next story', async ({
   const sinceMs = Date.now();
   await stage.player.evaluate((p: RaconteurPlayer) => void (p.src = 'plain.eml'));
   await expect.poll(() => state(stage), { timeout: 60_000 }).toEqual([4, 2]);
-  // Nor does its patience.
+  // The new story does not wait for the timeout of the old one.
   expect(Date.now() - sinceMs).toBeLessThan(15_000);
   expect(await codes(stage)).toEqual([]);
 });
@@ -58,8 +58,8 @@ test('a story goes on without an animation that does not come, and takes it when
   for (const secs of times) without.set(secs, await at(secs));
   await stage.seek(0.5);
   await held[0]?.fulfill({ body: CLIP, contentType: 'application/json' });
-  // It eases in from where the story is when it comes, which may be the time that is being read:
-  // each reading is of a later time, and between two of them the story is at its start.
+  // The animation eases in from the story time at which it arrives, which may be the time being
+  // read. Each reading uses a later time, and the story returns to its start between two readings.
   await expect
     .poll(async () => {
       const secs = times.shift() ?? 5.9;

@@ -56,7 +56,7 @@ async function packed(page: Page, size: { width: number; height: number; caption
     p.style.setProperty('--raconteur-caption-size', caption);
     Object.assign(p.style, { position: 'fixed', inset: '0', zIndex: '9', width: `${width}px`, height: `${height}px`, maxHeight: 'none', borderRadius: '0' });
   }, size);
-  // The larger picture is drawn.
+  // The larger frame is rendered.
   await page.waitForTimeout(1500);
   const png = (await look(page, '1')).toString('base64');
   const webp = await page.evaluate(
@@ -74,7 +74,7 @@ async function packed(page: Page, size: { width: number; height: number; caption
   return Buffer.from(webp.split(',')[1] ?? '', 'base64');
 }
 
-// As it is seen.
+// The resolution of a normal screen.
 test.use({ deviceScaleFactor: 1 });
 
 test('the still before the first picture is the first picture', async ({ stage, page, browser, baseURL }) => {

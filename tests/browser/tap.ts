@@ -27,9 +27,9 @@ function listen(): void {
   let hub: ChannelMergerNode | undefined;
   const connect = AudioNode.prototype.connect as (this: AudioNode, ...args: unknown[]) => AudioNode;
   const open = (context: AudioContext): ChannelMergerNode => {
-    // A worklet would be a file that the page's policy allows and the test cannot serve. An
-    // older node does, but gets the time only roughly: so the second channel counts samples.
-    // Single precision counts to 16 million: five minutes.
+    // A worklet would be a file that the page's policy allows but the test cannot serve. The older
+    // node gets only an approximate time, so the second channel counts samples. Single precision
+    // counts to 16 million: five minutes.
     const count = context.createBuffer(1, context.sampleRate * 300, context.sampleRate);
     count.getChannelData(0).forEach((_, i, all) => (all[i] = (i + 1) / 2 ** 24));
     const counter = context.createBufferSource();
@@ -41,8 +41,8 @@ function listen(): void {
       const counted = inputBuffer.getChannelData(1);
       const heard = inputBuffer.getChannelData(0);
       const index = (i: number) => Math.round((counted[i] ?? 0) * 2 ** 24) - 1;
-      // A page that was busy for long finds a block that is being overwritten: what is not
-      // counted in one go is not one block.
+      // A page that was busy for long reads a block while it is overwritten: samples without
+      // consecutive counts are not one block.
       for (let at = 0, end = 0; at < counted.length; at = end) {
         end = at + 1;
         if (index(at) < 0) continue;
@@ -54,7 +54,7 @@ function listen(): void {
     };
     connect.call(counter, merger, 0, 1);
     connect.call(merger, node);
-    // What leads nowhere need not run; it writes silence.
+    // A node without a connected output need not run; this one outputs silence.
     connect.call(node, context.destination);
     counter.start(start);
     return merger;
@@ -74,7 +74,8 @@ export async function tapInto(page: Page): Promise<void> {
   await page.addInitScript(listen);
   await page.addInitScript(() => {
     window.coded = (samples) => {
-      // Nothing is rounded: which periods a slower voice repeats may hang on the last bit.
+      // Samples are not rounded, because the last bit may decide the periods that a slower voice
+      // repeats.
       const bytes = new Uint8Array(samples.slice().buffer);
       let text = '';
       for (let i = 0; i < bytes.length; i += 30_000) text += btoa(String.fromCharCode(...bytes.subarray(i, i + 30_000)));

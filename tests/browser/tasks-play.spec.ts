@@ -9,12 +9,14 @@ const LONG_MS = 50;
 test('no task in play is longer than 50 ms, with drawing and drivers taken out', async ({ stage, page }) => {
   test.setTimeout(180_000);
   await page.addInitScript(() => {
-    // A processor that draws instead of a graphics card keeps all else waiting: nothing is drawn, all else is done.
+    // A processor that renders instead of a graphics card blocks all else, so the test omits draw
+    // calls and runs the rest.
     for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced', 'clear', 'clearBufferfv', 'blitFramebuffer', 'generateMipmap'] as const) {
       Object.defineProperty(WebGL2RenderingContext.prototype, name, { value: () => undefined });
     }
-    // A driver compiles a program the sooner for having compiled it before, on a machine of which a test knows nothing: the
-    // player waits for it. Its own part is to ask for one at a time.
+    // A driver compiles a program faster if it has compiled it before, which a test cannot know, so
+    // the player's waiting is not counted. The player's own part is to request one program at a
+    // time.
     const waits: { from: number; to: number }[] = [];
     const links: number[] = [];
     for (const name of ['getShaderParameter', 'getProgramParameter', 'getShaderInfoLog', 'getProgramInfoLog', 'getUniformBlockIndex'] as const) {
@@ -46,13 +48,13 @@ test('no task in play is longer than 50 ms, with drawing and drivers taken out',
   const found = await stage.player.evaluate(async (player: RaconteurPlayer) => {
     player.muted = true;
     await player.play();
-    // What comes with the first picture of all that moves is there.
+    // Everything that comes with the first moving frame has loaded.
     await new Promise((done) => setTimeout(done, 1500));
     const from = performance.now();
     await new Promise((done) => setTimeout(done, 20_000));
     player.pause();
     const to = performance.now();
-    // A long one is seen.
+    // The observer detects a long task.
     while (performance.now() < to + 80);
     await new Promise((done) => setTimeout(done, 500));
     const { tasks, waits, links } = window as unknown as {

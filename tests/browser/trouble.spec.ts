@@ -126,7 +126,7 @@ const TRAPS: readonly (readonly [doing: number, named: RegExp])[] = [
 
 test('a trap names what was being read, and its file', async ({ stage, page }) => {
   await page.addInitScript(() => {
-    // No code of ours is known to trap: here reading a story does.
+    // No code is known to trap, so this test makes loading a story trap.
     const { instantiate } = WebAssembly;
     WebAssembly.instantiate = (async (source: WebAssembly.Module, imports?: WebAssembly.Imports) => {
       const made = (await instantiate.call(WebAssembly, source, imports)) as unknown as WebAssembly.Instance;
@@ -137,7 +137,7 @@ test('a trap names what was being read, and its file', async ({ stage, page }) =
       const doing = () => Number(new URLSearchParams(document.querySelector('raconteur-player')?.getAttribute('src')?.split('?')[1]).get('doing'));
       return Object.create(WebAssembly.Instance.prototype, { exports: { value: { ...made.exports, player_load: trap, doing } } }) as WebAssembly.Instance;
     }) as typeof WebAssembly.instantiate;
-    // Nothing is drawn before it.
+    // Nothing is rendered before the trap.
     HTMLCanvasElement.prototype.getContext = () => null;
   });
   await stage.open('<raconteur-player assets="/assets/"></raconteur-player>');
@@ -171,7 +171,7 @@ test('a lost picture comes back while the story goes on', { tag: '@draws' }, asy
   expect(await page.evaluate(([a, b]) => a === b, [old, now])).toBe(false);
   expect((await stage.picture()).spread).toBeGreaterThan(8);
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.paused)).toBe(false);
-  // No word came twice.
+  // No word was spoken twice.
   const words = await page.evaluate(() => window.record.events.filter((e) => e.type === 'word').map((e) => e.detail as { index: number; utterance: number }));
   expect(new Set(words.map((w) => `${w.utterance}.${w.index}`)).size).toBe(words.length);
 });

@@ -119,7 +119,7 @@ test('a layer is weighed, and its animation fetched and played', async ({ stage,
   await page.getByLabel('Layer 1', { exact: true }).selectOption('arms-overhead-clap');
   await expect.poll(() => eml(page)).toContain('animationSetName="arms-overhead-clap"');
   await page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => void (p.currentTime = 3));
-  // Half way through a circle of two seconds the hands meet over the head.
+  // After half a circle of two seconds the hands meet over the head.
   await expect.poll(async () => (await knee())[1]).toBeGreaterThan(1.7);
   await slide(page, 'Weight, layer 2', 1);
   await expect(page.getByRole('slider', { name: 'Weight, layer 2' })).toHaveAttribute('aria-valuetext', /50 percent/);
@@ -144,12 +144,12 @@ test('an animation goes on from where it is when its speed changes', async ({ st
   await page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => void (p.currentTime = 7.3));
   await page.getByText('How it plays').first().click();
   const knees = async () => [...(await joint(page, 'bone_l_knee')), ...(await joint(page, 'bone_r_knee'))];
-  // The picture of that moment comes with the next frame.
+  // The next frame shows that time.
   await page.waitForTimeout(500);
   const before = await knees();
   await read(page, () => slide(page, 'Speed, layer 1', 2));
   await expect.poll(() => eml(page)).toContain('time="7.3" player="layers" property="speed" newValue="2"');
-  // At twice the speed all along it would have come twice as far: another step.
+  // At double speed throughout, it would be twice as far, that is at another step.
   expect(apart(before, await knees())).toBeLessThan(0.001);
   await page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => void (p.currentTime += 0.3));
   await expect.poll(async () => apart(before, await knees())).toBeGreaterThan(0.02);
@@ -236,7 +236,7 @@ test('the camera stays above the floor, however one drags, shifts and steps back
   await page.mouse.up();
   await page.waitForTimeout(500);
   expect(await height()).toBeGreaterThan(0.1);
-  // And yet one sees the figure from below.
+  // The camera still shows the figure from below.
   const { eye, target } = (await poseOf(page.locator('raconteur-player')))!.camera;
   expect(eye[1]).toBeLessThan(target[1]);
 });

@@ -53,12 +53,13 @@ function steepest(samples: Float32Array): number {
 
 test('utterances that follow each other join without a gap or a click, and those that overlap are added', async ({ stage, page }) => {
   await tapInto(page);
-  // One tone in three recordings, and something else that begins while the third is heard. All
-  // times are whole numbers of samples; others are rounded to them.
+  // One tone in three recordings, and another sound that begins during the third. All times are
+  // whole numbers of samples; the player rounds other times to samples.
   const whole = tone(1.84);
   const samplesAt = (secs: number) => Math.round(secs * SAMPLE_RATE);
   const part = (from: number, to: number) => whole.slice(samplesAt(from), samplesAt(to));
-  // The first comes when what listens has surely begun: that opens with the sound itself.
+  // The first clause starts when the recorder has certainly begun, because it opens with the audio
+  // itself.
   const body = `<voice-text time='1.4'>One</voice-text><voice-text time='1.91'>Two</voice-text>
     <voice-text time='2.6'>Three</voice-text><voice-text time='2.9'>Over</voice-text>`;
   await open(stage, body, [
@@ -89,7 +90,7 @@ test('utterances that follow each other join without a gap or a click, and those
   let worst = 0;
   expected.forEach((x, i) => (worst = Math.max(worst, Math.abs(x - (samples[found.at + i] ?? 0)))));
   console.log(`likeness ${found.likeness.toFixed(6)}, worst sample ${worst.toExponential(1)}`);
-  // 16 bits is what the samples come back with.
+  // The samples return with 16 bits.
   expect(worst).toBeLessThan(0.001);
 });
 
@@ -147,7 +148,7 @@ test('what the browser decodes is as long as the bundle says, in each encoding a
     console.log(
       `${duration_secs} s: ${sounds.map((s) => ((s.length / rate - duration_secs) * 1000).toFixed(1)).join(' and ')} ms more, the second ${(delay * 1000).toFixed(2)} ms later`,
     );
-    // Neither ends before its last phone, nor is it heard at another time.
+    // Neither ends before its last phone, and neither plays at another time.
     for (const sound of sounds) expect(sound.length / rate).toBeGreaterThan(duration_secs - 0.005);
     expect(Math.abs(delay)).toBeLessThan(0.002);
   }
@@ -215,7 +216,7 @@ test('voice-say: what is waited for, what is not, and what is only made ready', 
       .map((u) => [u.text, Math.round(u.startSecs * 1000)] as const),
   );
   expect(Object.fromEntries(times)).toEqual({ Aloud: 0, Beside: 310, 'A tale told': 310, 'A song': 660 });
-  // What was made ready is there when a live clause says it.
+  // Speech prepared in advance is available when a live clause needs it.
   const answers = await stage.player.evaluate((p: RaconteurPlayer) => p.perform("<voice-text time='0'>Later on</voice-text>"));
   expect(answers.map((a) => a.kind)).toEqual(['accepted']);
   await stage.play();
@@ -281,7 +282,8 @@ const missing = (stage: Stage) => stage.player.evaluate((p: RaconteurPlayer) => 
 async function openSilent(stage: Stage, attributes = ''): Promise<void> {
   await stage.open(`<raconteur-player src="story.eml" quality="lowest" loading="eager" captions ${attributes}></raconteur-player>`, {
     'story.eml': story(TWO),
-    // Out of sight: a page that draws in software is too busy to hear how long the browser speaks.
+    // Outside the viewport, because a page that renders in software is too busy to measure the
+    // browser's speech.
     'test.css': 'raconteur-player { width: 96px; height: 96px; margin-top: 3000px }',
   });
   await stage.ready();
@@ -330,7 +332,7 @@ test("the browser's voice follows pause, seek, speed and mute", async ({ stage, 
   await stage.seek(1.2);
   await stage.play();
   await expect.poll(() => page.evaluate(() => window.said.length)).toBe(2);
-  // It goes on with a word of the middle.
+  // It continues with a word from the middle.
   expect(await page.evaluate(() => window.said[1]?.text)).toMatch(/^(?!Once).* rabbit\.$/);
   await stage.player.evaluate((p: RaconteurPlayer) => void (p.muted = true));
   await expect.poll(() => page.evaluate(() => window.said[1]?.end)).toBe('cancelled');

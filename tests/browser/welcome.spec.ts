@@ -25,7 +25,7 @@ test('before play the figure moves, and the story does not', async ({ stage, pag
   await expect.poll(async () => await stage.difference(first, await look(stage)), { timeout: 60_000 }).toBeGreaterThan(0.05);
   expect(await stage.time()).toBe(0);
   expect(await page.evaluate(() => window.record.events.filter(({ type }) => ['word', 'clause', 'timeupdate', 'play'].includes(type)))).toEqual([]);
-  // The picture of a seek is shown, and stays.
+  // The frame of a seek is shown and stays.
   await stage.seek(0);
   const sought = await look(stage);
   await page.waitForTimeout(1500);

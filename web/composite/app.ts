@@ -283,7 +283,8 @@ export class App {
       if (act.kind === 'hold') held = act.held;
       // Steps that each are within their limits grow beyond all bounds together.
       if (act.kind === 'transform' || act.kind === 'caricature') this.#measure();
-      // Undo begins at the latest of these: to keep all takes longer than to make a few again.
+      // Undo starts at the latest of these checkpoints, because storing all faces takes longer than
+      // computing a few again.
       if (i === last || i % CHECKPOINT === 0) this.#kept.keep(step, this.faces.keep());
     }
     this.#showing.moves = false;
@@ -345,7 +346,7 @@ export class App {
 
   /** Shows another panel, and a section of it by its title. */
   turnTo(tab: Tab, section?: string): void {
-    // What is chosen is lit beside its panel alone.
+    // The chosen segments are highlighted only next to their own panel.
     const isLit = this.segments.size > 0 && (tab === 'parts') !== (this.tab === 'parts');
     this.tab = tab;
     this.sought = section;

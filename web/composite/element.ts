@@ -117,7 +117,7 @@ export class RaconteurComposite extends LitElement {
     this.#ready = new Promise((opened, failed) => {
       this.#settle = { opened, failed };
     });
-    // Who does not ask is told by the event.
+    // Pages that do not use the promise receive the event.
     this.#ready.catch(() => undefined);
   }
 
@@ -145,7 +145,7 @@ export class RaconteurComposite extends LitElement {
     await this.#ready;
     this.#session?.settle();
     this.#app?.open(saved);
-    // What was open before is still kept.
+    // The session that was open before remains stored.
     void this.#session?.begin();
     this.#changed();
     await this.#app?.shownAsItIs;
@@ -153,7 +153,7 @@ export class RaconteurComposite extends LitElement {
 
   /** The session as data, for `JSON.stringify`; undefined until the editor is ready. */
   save(): SavedHistory | undefined {
-    // A copy: the history goes on.
+    // Returns a copy, because the history continues.
     return structuredClone(this.#app?.save());
   }
 
@@ -227,7 +227,8 @@ export class RaconteurComposite extends LitElement {
     if (changed.has('label') && this.#internals !== undefined) this.#internals.ariaLabel = this.label;
     if (this.#player === undefined) return;
     this.#player.quality = this.quality;
-    // A picture with everything is not what was asked for any longer, or is now.
+    // The page changed the quality, so the fully detailed rendering is no longer requested, or is
+    // requested now.
     if (changed.has('quality')) this.#fine?.changed();
     if (changed.has('figure') && this.figure !== this.#player.figure) this.#player.figure = this.figure;
     if (changed.has('src') && this.src && this.#app !== undefined) void this.#openSource(this.src);
@@ -237,7 +238,8 @@ export class RaconteurComposite extends LitElement {
     const panel = this.#find('#panel');
     if (panel !== undefined) this.#tabs?.mark(this.#app?.tab ?? 'features', panel);
     this.#reveal();
-    // A button that has nothing more to do would take the focus with it, out of the editor and its keys.
+    // A button that becomes disabled would lose the focus and move it out of the editor and its
+    // shortcuts.
     const focused = this.shadowRoot?.activeElement;
     if (focused instanceof HTMLButtonElement && focused.disabled) focused.parentElement?.querySelector<HTMLElement>('button:enabled')?.focus();
   }
@@ -255,7 +257,7 @@ export class RaconteurComposite extends LitElement {
     });
   }
 
-  // --- what it does ---
+  // --- methods ---
 
   async #begin(): Promise<void> {
     this.#begun = true;
@@ -266,7 +268,7 @@ export class RaconteurComposite extends LitElement {
       this.#settle?.opened();
       this.#fire('ready', undefined);
     } catch (error) {
-      // It begins again when it comes back.
+      // It begins again when the element is reconnected.
       this.#begun = this.isConnected;
       if (!this.#begun) return;
       this.#settle?.failed(error);
@@ -292,7 +294,7 @@ export class RaconteurComposite extends LitElement {
     };
     const kept = await this.#session?.open();
     const { figure } = readScene(kept?.saved);
-    // Who showed the face shows it again: nobody else need come first.
+    // The player that showed the face shows it again without waiting for another event.
     if (figure !== undefined) player.figure = this.figure = figure;
     const [faces] = await Promise.all([openFaces(pack('people.faces'), pack('people.skins'), { progress }), rest(player)]);
     const app = new App(player, faces, {
@@ -365,7 +367,7 @@ export class RaconteurComposite extends LitElement {
       },
       root,
     );
-    // Who types undoes letters.
+    // In a text field, undo applies to letters.
     const types = ({ target }: Event): boolean => target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && TYPED.includes(target.type));
     onUndoKeys(
       () => this.undo(),
@@ -385,11 +387,11 @@ export class RaconteurComposite extends LitElement {
         this.#app?.redraw();
       });
     }
-    // The sentence is said: the face holds still again.
+    // The sentence has ended, so the face returns to rest.
     player.addEventListener('ended', () => void rest(player));
-    // A figure of another height has its head elsewhere, and comes with its own face.
+    // A figure of another height has its head at another position, and comes with its own face.
     player.addEventListener('figurechange', () => this.#dress());
-    // So does the stage of an editor that comes back to a page.
+    // The same holds for the stage of an editor that returns to a page.
     player.addEventListener('loadedmetadata', () => {
       if (this.#app !== undefined) void rest(player).then(() => this.#dress());
     });

@@ -45,7 +45,7 @@ export class FaceView {
       while (this.#behind) {
         this.#behind = false;
         const face = this.face();
-        // All its detail is two pieces of work; between them the page hears its user.
+        // All details take two pieces of work; the page handles input between them.
         if (face.moves !== true) await wait(0);
         if (!this.#behind) await this.player.setFace(face);
         if (!this.#behind && this.moves) await this.#rest();

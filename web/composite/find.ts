@@ -89,7 +89,7 @@ export function indexOf(attributes: readonly Attribute[], rows: readonly Row[] =
     const phrases = texts.map((text) => ({ words: wordsOf(text), worth }));
     things.set(thing, [...(things.get(thing) ?? []), ...phrases]);
   };
-  // A feature of the pack that the table does not know is still found by its name.
+  // A feature of the pack that is not in the table is still found by its name.
   for (const { name, group, terms } of attributes) {
     add(`feature ${name}`, [name, ...terms.map((term) => `${term} ${name}`)]);
     add(`feature ${name}`, [group, ...terms], OF_GROUP);

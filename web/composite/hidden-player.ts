@@ -39,7 +39,7 @@ export async function openHidden(place: HTMLElement, { label, like, quality, loo
     player.currentTime = REST_SECS;
     const view = new HeadView(player, look, () => undefined);
     view.look({});
-    // Where the head is, is known once a picture was drawn.
+    // The position of the head is known only after a frame was rendered.
     player.snapshot(view.view);
     view.centre();
     return { player, view, close };

@@ -7,6 +7,7 @@ export type { Faces } from '../element/face/faces.js';
 export { RaconteurComposite, type CompositeEventMap } from './element.js';
 export type { Saved, SavedHistory } from './history.js';
 
-// The library lies beside the script, as that of the player's does, and nothing else may import this file for the same reason.
+// The library is next to the script, like that of the player. No other module may import this file,
+// because it would then be bundled into a script in another folder.
 const script = import.meta.url;
 register(new URL('assets/', script).href);

@@ -144,7 +144,7 @@ function target(app: App): string {
   return app.withAll ? `The rest of the face changes too${of}, as it does in people.` : `A feature changes alone${of}: its own part of the face moves, and nothing else.`;
 }
 
-// --- what is held ---
+// --- stored state ---
 
 export function heldList(app: App): TemplateResult {
   const { held } = app;

@@ -123,7 +123,7 @@ export class Pictures {
     return this.#run('Figure', async () => {
       const { app } = this;
       const name = fileName(this.#name);
-      // Without what is lit of it.
+      // Renders the face without its highlights.
       await app.player.setFace(app.face);
       const file = await app.player.figureFile(name);
       await app.show();

@@ -11,7 +11,7 @@ export function figureOf(a: Uint8ClampedArray, b: Uint8ClampedArray, width: numb
   const like = Uint8Array.from({ length: width * height }, (_, i) => Number(isLike(i)));
   const middle = Math.floor(height / 2) * width + Math.floor(width / 2);
   const figure = reached(like, width, height, 1, [middle]);
-  // What lies within it belongs to it: eyes mirror the place.
+  // Areas inside the border belong to the head: eyes reflect the stage.
   const border = Array.from({ length: figure.length }, (_, i) => i).filter((i) => i < width || i >= figure.length - width || i % width === 0 || i % width === width - 1);
   const around = reached(figure, width, height, 0, border);
   return around.map((out) => 1 - out);

@@ -79,16 +79,16 @@ export class Portraits {
       for (let index = this.#next(); index !== undefined; index = this.#next()) {
         const key = this.#key(index);
         await player.setFace(this.#face(index));
-        // Pages of a strict policy may show pictures that are data.
+        // Pages with a strict policy may show images as data URLs.
         const picture = player.snapshot()?.toDataURL('image/webp', 0.85);
         if (picture === undefined) throw new Error('there is no picture');
         this.#pictures.set(key, picture);
-        // The page goes on between two faces.
+        // Lets the page handle input between two faces.
         await wait(0);
         this.app.redraw();
       }
     } catch {
-      // Without pictures the faces are still there, by their words.
+      // Without portraits the faces are still available, as words.
       this.#wanted = [];
     } finally {
       this.#drawing = false;
@@ -104,7 +104,7 @@ export class Portraits {
       faces.example(index);
       if (this.#held.length > 0) faces.constrain(this.#held);
       const person = faces.pack.people[index];
-      // A portrait does not move: what would be soft in it is left as it was.
+      // A portrait does not move, so its soft tissue stays unchanged.
       return { ...faces.face(player.currentFigure ?? ''), moves: true, look: person === undefined ? {} : lookOf(person, player.naturalHair()) };
     } finally {
       faces.restore(own);

@@ -6,7 +6,7 @@ import { RaconteurComposite } from './element.js';
 /** Registers the editor element under this name. `library`: default location of the asset library. */
 export function register(library?: string): void {
   registerPlayer(library);
-  // Elements that stand in the page become editors at once, so what they need is said before.
+  // Elements already in the page are upgraded immediately, so their settings come first.
   if (library !== undefined) RaconteurComposite.library = library;
   if (customElements.get('raconteur-composite') === undefined) customElements.define('raconteur-composite', RaconteurComposite);
 }

@@ -44,7 +44,7 @@ export async function printReport(report: Report, pictures: readonly ReportPictu
   sheet.replaceSync(`${look} @media screen { .report { display: none; } } @media print { body > :not(.report) { display: none !important; } }`);
   const drawn = draw(report, pictures, 'section');
   await Promise.all([...drawn.querySelectorAll('img')].map((image) => image.decode()));
-  // A browser that does not tell the end of printing leaves the last one.
+  // Browsers that do not report the end of printing leave the previous report.
   for (const old of document.querySelectorAll('body > .report')) old.remove();
   document.body.append(drawn);
   document.adoptedStyleSheets.push(sheet);
@@ -59,7 +59,7 @@ export async function printReport(report: Report, pictures: readonly ReportPictu
 /** Returns a report as a self-contained file. */
 export function reportFile(report: Report, pictures: readonly ReportPicture[]): Blob {
   const drawn = draw(report, pictures, 'main');
-  // Lit marks its places by comments.
+  // Lit marks its positions with comments.
   const marks = document.createTreeWalker(drawn, NodeFilter.SHOW_COMMENT);
   const comments: ChildNode[] = [];
   while (marks.nextNode()) comments.push(marks.currentNode as Comment);

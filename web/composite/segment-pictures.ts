@@ -33,7 +33,7 @@ export function reliefOf(skin: Float64Array): Relief {
     const [column, row] = [Math.round((x + HALF_M) * scale), Math.round(HEIGHT - (y - BOTTOM_M) * scale)];
     for (let r = row - REACH; r <= row + REACH; r += 1) {
       for (let c = column - REACH; c <= column + REACH; c += 1) {
-        // Farther from its place a vertex yields to others.
+        // A vertex farther from its position has lower priority.
         const near = z - 0.0006 * (Math.abs(r - row) + Math.abs(c - column));
         if (r < 0 || c < 0 || r >= HEIGHT || c >= WIDTH || near <= (depth[r * WIDTH + c] ?? 0)) continue;
         depth[r * WIDTH + c] = near;

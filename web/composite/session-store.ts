@@ -49,7 +49,8 @@ export class SessionStore {
     await this.#store('readwrite', (store) => {
       for (const [i, step] of steps) store.put(step, stepKey(this.name, id, i));
       store.put(head, headKey(this.name, id));
-      // Nothing else comes: without this the browser waits for the next turn of a page that may be gone by then.
+      // No further request follows. Without this call the browser waits for the next turn of the
+      // page, which may be gone by then.
       store.transaction.commit();
       return promisifyRequest(store.transaction);
     });

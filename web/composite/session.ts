@@ -67,7 +67,7 @@ export class Session {
     try {
       await this.#recover();
       const listed = await this.#shelf.list();
-      // A tab that is loaded again goes on with its own work.
+      // A reloaded tab continues with its own work.
       const own = this.#ofTab();
       this.#remember();
       const latest = listed.find(({ id }) => id === own) ?? listed[0];
@@ -126,12 +126,12 @@ export class Session {
     this.#held.abort();
     this.#held = new AbortController();
     this.#take(crypto.randomUUID(), undefined);
-    // By then others can have the one before.
+    // By then other tabs can acquire the previous session.
     await hold(this.#id, this.#held.signal);
   }
 
   #take(id: string, picture: string | undefined): void {
-    // What waits is of the session that comes.
+    // Pending work belongs to the new session.
     clearTimeout(this.#waiting);
     this.#soon = undefined;
     this.#id = id;
@@ -198,7 +198,7 @@ export class Session {
     this.#soon = undefined;
     if (saved === undefined) return;
     const scene = JSON.stringify(saved.scene);
-    // What the editor began with is no change.
+    // The initial scene of the editor is not a change.
     if (this.#scene === '') this.#scene = scene;
     if (scene !== this.#scene) this.keep(saved, true);
   }

@@ -62,7 +62,8 @@ export class Studio {
     const { player, view, close } = await openHidden(this.place, {
       label: 'Pictures of the face',
       like,
-      // A stage that is drawn simply is so to be quick; a picture takes its time, unless the page has asked for less.
+      // A stage is rendered simply for speed. A still image takes its time, unless the page
+      // requested a lower quality.
       quality: like.quality === 'auto' ? 'high' : like.quality,
       look: { turn: 0, tilt: LEVEL, ...sides[0], zoom },
     });
@@ -70,7 +71,7 @@ export class Studio {
       signal.throwIfAborted();
       player.light(plain ? 'studio' : light.name, light.turn);
       await player.setFace(face);
-      // Large only now, so that what is drawn until here costs little.
+      // The player is enlarged only now, so that earlier rendering costs little.
       await enlarge(player, size);
       const take = (side: Side): HTMLCanvasElement => {
         const picture = view.picture({ tilt: LEVEL, ...side }, lower);
@@ -92,7 +93,7 @@ export class Studio {
         const other = others[i];
         yield other === undefined ? picture : beforeWall(picture, other);
         progress(i + 1, sides.length);
-        // The page goes on between two pictures.
+        // Lets the page handle input between two images.
         await wait(0);
         signal.throwIfAborted();
       }
@@ -120,7 +121,7 @@ async function place(player: RaconteurPlayer, script: string): Promise<void> {
 export async function enlarge(player: RaconteurPlayer, { width, height }: Size): Promise<void> {
   const dpr = Math.min(MAX_DPR, devicePixelRatio || 1);
   await new Promise<void>((resolve) => {
-    // Observers are told one after another, and the player's own is older.
+    // Observers are called in the order of their creation, and the player's own is older.
     const seen = new ResizeObserver(([entry]) => {
       if ((entry?.contentRect.width ?? 0) < width / dpr - 1) return;
       seen.disconnect();

@@ -27,7 +27,7 @@ export function start(app: App, portraits: Portraits): TemplateResult {
     app.redraw();
   };
   const whole = app.segments.size === 0 && app.half === undefined;
-  // Body and clothes suit who it is; a file of the user's own stays.
+  // Body and clothes match the person; the user's own file stays.
   const dress = (index: number | undefined): void => {
     const person = people[index ?? -1];
     if (person !== undefined && FIGURES.has(app.player.figure ?? '')) app.player.figure = figureOf(person);

@@ -65,13 +65,13 @@ export function answeredOf(session: Session, reply: Reply): Statement {
     verb: { id: VERBS.answered, display: { 'en-US': 'answered' } },
     object: { objectType: 'Activity', id: questionId(session.activityId, question.name), definition: definitionOf(question, session.language) },
     result: {
-      // What is not graded is neither a success nor none.
+      // An ungraded answer is neither a success nor a failure.
       ...(answered.isRight === undefined ? {} : { success: answered.isRight }),
       ...(response === undefined ? {} : { response }),
       ...scoreOf(answered.points, question.points),
       duration: durationOf(reply.latencyMs),
     },
-    // It is one that cmi5 allows, not one of its own: it has no category of it.
+    // cmi5 allows this statement but does not define it, so it has no cmi5 category.
     context: contextOf(session, { categories: [], parent: courseOf(session), extensions: {} }),
   };
 }

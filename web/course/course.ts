@@ -76,7 +76,7 @@ export class Course {
       this.#return(memory);
       this.#tell();
     };
-    // A story that cannot be had leaves the way out.
+    // A story that fails to load omits the path.
     if (this.#player.readyState > 0) go();
     else this.#player.addEventListener('loadedmetadata', go, { once: true, signal: this.#end.signal });
     return known;
@@ -107,7 +107,7 @@ export class Course {
     this.#player.addEventListener('playing', note('played'), { signal });
     this.#player.addEventListener('pause', note('paused'), { signal });
     this.#player.addEventListener('leap', ({ detail: { toSecs } }) => this.#leaps.push(toSecs), { signal });
-    // What is told while it is sought is of the place to which it goes.
+    // Reports during a seek refer to the target position.
     this.#player.addEventListener('seeking', () => (this.#fromSecs ??= this.#placeSecs), { signal });
     this.#player.addEventListener('seeked', () => this.#sought(), { signal });
     let askedMs = performance.now();
@@ -154,7 +154,7 @@ export class Course {
     const { score } = this.#player;
     const { attempt, session, best } = this.#memory;
     this.#memory = { ...NOTHING, attempt: attempt + 1, session, best: score.most > 0 ? bestOf(best, score) : undefined };
-    // What is by chance comes out anew.
+    // Random choices are drawn again.
     this.#go({ answered: [], seed: newSeed(), placeSecs: 0 });
     this.#tell();
     this.#keep();
@@ -181,7 +181,7 @@ export class Course {
   #remembered(): Memory {
     const { ended, currentTime } = this.#player;
     const { placeSecs: _, answered, ...more } = this.#player.state();
-    // Who comes back to a story that has ended sees it from the start.
+    // Learners who return to an ended story see it from the start.
     const placeSecs = (this.#placeSecs = ended ? 0 : currentTime);
     return { ...this.#memory, placeSecs, seen: this.#seen, answered: answered as readonly Remembered[], more };
   }
@@ -227,7 +227,7 @@ export class Course {
     if (question === undefined) return;
     this.#record.reply?.({ question, answered, atMs: Date.now(), latencyMs });
     this.#tell();
-    // What was answered is not to be lost.
+    // Stores the answers so that they are not lost.
     this.#keep();
   }
 
@@ -252,7 +252,8 @@ export class Course {
   }
 
   #tell(): void {
-    // Before the story is there nothing is known of the learner's place in it; who only looks at it does nothing.
+    // Before the story has loaded, the learner's position is unknown; in review mode nothing is
+    // recorded.
     if (this.#player.readyState === 0 || this.#isReview) return;
     if (this.#player.currentTime > BARELY_SECS) this.#isAtWork = true;
     const report = this.#report();

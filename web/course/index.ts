@@ -44,8 +44,8 @@ async function begin(): Promise<void> {
   await new CoursePage(player, new Course(player, kept, rules), kept, { bar, status, result }, record !== 'html').begin();
 }
 
-// The library lies beside the page of the course.
+// The library is next to the page of the course.
 register(new URL('library/', document.baseURI).href);
-// A session that was closed is not opened anew in a page that the browser has kept.
+// A page restored from the browser's cache does not reopen a closed session, so it reloads.
 addEventListener('pageshow', ({ persisted }) => persisted && location.reload());
 void begin();

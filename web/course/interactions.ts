@@ -139,7 +139,7 @@ export function interaction2004(n: number, reply: Reply): Elements {
   return known([
     [`${at}.id`, idOf(question)],
     [`${at}.type`, TYPES[question.kind]],
-    // Where there is a time zone there have to be fractions, of two digits.
+    // A timestamp with a time zone requires fractions, of two digits.
     [`${at}.timestamp`, new Date(reply.atMs).toISOString().replace(/\dZ$/, 'Z')],
     [`${at}.weighting`, decimal(question.points)],
     ...patterns2004(question).map((pattern, i) => [`${at}.correct_responses.${i}.pattern`, pattern] as const),

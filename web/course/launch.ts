@@ -121,7 +121,7 @@ export async function launchOf(link: Link, waiting: Waiting): Promise<Launch | u
 
 /** The learner's preferences (11.2): a story has one language, but it can be silent. */
 async function wantsSilence(store: RecordStore, owner: Owner, { isClosed }: Waiting): Promise<boolean> {
-  // They are a wish: what a system does not give is not waited for.
+  // Preferences are optional: the page does not wait if the system has none.
   const { text } = isClosed() ? { text: '' } : await store.profile(owner, 'cmi5LearnerPreferences');
   try {
     return (JSON.parse(text || '{}') as { audioPreference?: unknown } | null)?.audioPreference === 'off';

@@ -103,7 +103,7 @@ export class CoursePage {
     this.#places.bar.querySelector('details')?.removeAttribute('open');
     this.#player.currentTime = secs;
     this.#player.focus();
-    // Before a question that is open the story does not go on: it is shown.
+    // The story stays paused at an open question and shows it.
     void this.#player.play().catch(() => undefined);
   }
 
@@ -112,7 +112,7 @@ export class CoursePage {
     const { status } = this.#places;
     const isWarned = this.#exit === 'warned';
     this.#player.pause();
-    // What would be done now is told to nobody.
+    // Later actions would not be recorded.
     this.#player.inert = true;
     if (!isWarned) {
       this.#exit = 'leaving';
@@ -132,7 +132,7 @@ export class CoursePage {
       location.href = this.#returnAddress;
       return;
     }
-    // A window that a script has opened goes; others stay.
+    // Only windows that a script opened can be closed.
     window.close();
     if (this.#troubles.now === undefined) status.value = this.#words.left;
   }
@@ -157,7 +157,7 @@ export class CoursePage {
     });
     result.hidden = false;
     this.#drawBar();
-    // Who was in the player is where something is to be read.
+    // If the player had the focus, the result receives it for reading.
     if (isAsked || document.activeElement === this.#player || document.activeElement === document.body) result.querySelector('h2')?.focus();
   }
 }

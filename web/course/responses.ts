@@ -119,7 +119,7 @@ export function patternsOf(question: Question, limits: Limits): string[] {
           limits.patterns,
         ).map((words) => gapsText(words, limits));
       case 'long-fill-in':
-        // What takes any text has no words.
+        // A question that accepts any text has no words.
         return right.flatMap(({ accepts = [] }) => (accepts.length === 0 ? [undefined] : accepts.map((word) => plain(word, limits.textLength))));
       case 'numeric':
         return right.map((option) => rangeOf(option, question.options.slice(0, question.options.indexOf(option))));
@@ -127,6 +127,6 @@ export function patternsOf(question: Question, limits: Limits): string[] {
         return rightNames(question).length > limits.items ? [] : [chosen(question, rightNames(question), limits)];
     }
   })();
-  // A way to be right that the form has not would make a list of the others wrong.
+  // A correct answer that the format cannot express would make a list of the others wrong.
   return patterns.includes(undefined) ? [] : ([...new Set(patterns.filter((pattern) => pattern !== undefined && pattern !== ''))].slice(0, limits.patterns) as string[]);
 }

@@ -175,7 +175,7 @@ export class Scorm implements Record {
     const { title, object, begin, names } = this.#version;
     const api = find(object, this.#from);
     if (api === undefined) return Promise.reject(new RecordError('no-system', `No system with ${title} was found around the page.`));
-    // Until it is begun nobody knows whose copy it would be.
+    // Before the session begins, the owner of a local copy is unknown.
     this.troubles.isKept = false;
     const begun = await until(
       () => Promise.resolve(this.#began(api, begin)),
@@ -185,7 +185,7 @@ export class Scorm implements Record {
     this.#api = api;
     const mode = this.#get(names.mode);
     this.#isReview = mode === 'review' || mode === 'browse';
-    // A session that is never closed is one that goes on.
+    // A session that is never closed counts as suspended.
     this.#put(names.exit, 'suspend');
     for (const name of [names.status, names.success]) if (name !== undefined) this.#had.set(name, this.#get(name));
     const count = this.#get('cmi.interactions._count');
@@ -210,7 +210,7 @@ export class Scorm implements Record {
   #memory(): Memory {
     const { names } = this.#version;
     const learner = this.#get(names.learner);
-    // Who has no name may be anybody.
+    // A learner without an identifier may be anybody.
     const shelf = learner === '' ? undefined : this.#shelf;
     this.troubles.isKept = shelf !== undefined;
     const slot = (what: string) => `raconteur-scorm-${what}:${this.#course}:${learner}`;
@@ -220,8 +220,8 @@ export class Scorm implements Record {
     this.#waitingSlot = new Slot(shelf, slot('answers'));
     const text = this.#get(names.memory);
     const theirs = readMemory(text);
-    // A system that begins a new attempt after one that was completed means it; one that has lost an attempt says the same, and is not
-    // believed.
+    // A system that begins a new attempt after a completed one does so deliberately. A system that
+    // lost an attempt reports the same and is not trusted.
     const isNew = text === '' && this.#get(names.entry) === 'ab-initio' && this.#doneSlot.get() !== undefined && this.#openSlot.get() === undefined;
     if (isNew) {
       this.#copy.clear();
@@ -232,7 +232,7 @@ export class Scorm implements Record {
     this.#recall(this.#copy.get().session >= theirs.session);
     const [points, most] = ['raw', 'max'].map((part) => Number(this.#get(`${names.score}.${part}`) || NaN));
     const known = joined(this.#copy.get(), theirs);
-    // What the system has of points is not less than what is known here.
+    // The points stored in the system are not reduced to those known here.
     const had = points !== undefined && most !== undefined && points >= 0 && most > 0 && points <= most ? { points, most } : undefined;
     return { ...known, best: bestOf(known.best, had) };
   }
@@ -315,7 +315,7 @@ export class Scorm implements Record {
     this.#tellReplies();
     if (this.#copy?.put(this.#last) === false) this.troubles.set('the browser', 'unkept');
     if (this.#isKept) return;
-    // A session that is never closed, as where a machine goes down, has its time as well.
+    // A session that is never closed, for example on a power failure, records its time as well.
     this.#put(this.#version.names.spent, this.#version.spent(performance.now() - this.#sinceMs));
     this.#isKept = this.#call('Commit', '') === 'true';
     this.troubles.set('commit', this.#isKept ? undefined : 'away');
@@ -348,7 +348,7 @@ export class Scorm implements Record {
     if (this.#isReview || this.#api === undefined || this.#set.get(element) === value) return true;
     const isTaken = this.#call('SetValue', element, value) === 'true';
     if (!BESIDE.test(element)) this.troubles.set(element, isTaken ? undefined : 'refused');
-    // What was not taken is committed again, too.
+    // Rejected data is committed again.
     this.#isKept = false;
     this.#openSlot?.set('1');
     if (isTaken) this.#set.set(element, value);
@@ -359,7 +359,7 @@ export class Scorm implements Record {
     try {
       return String(this.#api?.[`${this.#version.prefix}${method}`]?.(...given) ?? '');
     } catch {
-      // The system is another's code: what it does wrong must not end the story.
+      // The system is foreign code: its faults must not stop the story.
       return '';
     }
   }

@@ -22,7 +22,7 @@ export class Slot {
     try {
       return this.#shelf?.getItem(this.#name) ?? undefined;
     } catch {
-      // Forbidden: there is nothing.
+      // Storage is forbidden, so there is no data.
       return undefined;
     }
   }
@@ -41,7 +41,7 @@ export class Slot {
     try {
       this.#shelf?.removeItem(this.#name);
     } catch {
-      // Forbidden: there is nothing.
+      // Storage is forbidden, so there is no data.
     }
   }
 }

@@ -89,7 +89,8 @@ function resultOf(verb: Verb, { isCmi5 }: Session, { placeSecs, fromSecs, progre
       return {
         completion: true,
         duration: durationOf(spentMs),
-        // In cmi5 only who passes or fails has a score (9.5.1); and one that is not the last says too little.
+        // In cmi5 only statements of passing or failing have a score (9.5.1); an intermediate score
+        // would be incomplete.
         ...(isCmi5 || !isSettled ? {} : points),
         extensions: { [extension('time')]: rounded(placeSecs), ...played },
       };

@@ -51,7 +51,7 @@ export class BrowserRecord implements Record {
     const other = stored === this.#written ? undefined : keptIn(stored);
     this.#wasComplete ||= other?.isComplete === true;
     const memory = writeMemory(other === undefined ? this.#last.memory : joined(this.#last.memory, other.memory));
-    // What the page that lists several lessons reads is beside the memory.
+    // Data for the page that lists several lessons is stored next to the memory.
     const kept = { memory, placeSecs, progress, score: bestOf(score, other?.score), isPassed, isComplete: isComplete || this.#wasComplete };
     this.#written = JSON.stringify(kept);
     this.troubles.set('the browser', this.#slot.set(this.#written) ? undefined : 'unkept');

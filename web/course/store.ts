@@ -86,7 +86,7 @@ export class RecordStore {
     const { endpoint, authorization } = this.#access;
     const headers: { [name: string]: string } = { Authorization: authorization, 'X-Experience-API-Version': VERSION };
     if (body !== undefined) headers['Content-Type'] = 'application/json';
-    // What is long cannot outlive the page: browsers refuse it then.
+    // A long request cannot outlive the page: browsers reject it.
     const keepalive = body !== undefined && bytesOf(body) <= MAX_KEPT_BYTES;
     const parts = new URLSearchParams(asked).toString();
     return fetch(`${endpoint}${resource}${parts === '' ? '' : `?${parts}`}`, { method, headers, keepalive, ...(body === undefined ? {} : { body }) });

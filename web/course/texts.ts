@@ -8,7 +8,7 @@ export const BETWEEN = '[,]';
  * formats, and without a `{` at its start, where a language is expected. No character is split.
  */
 export function plain(text: string, most: number): string {
-  // What is far beyond the limit need not be looked through.
+  // Text far beyond the limit needs no processing.
   const line = text
     .slice(0, 2 * most)
     .replaceAll(/\p{Surrogate}/gu, '\uFFFD')

@@ -79,7 +79,7 @@ export class XapiRecord implements Record {
     try {
       this.#link = linkOf(address, course.activityId);
     } catch (error) {
-      // `open` tells.
+      // `open` reports the failure.
       this.#failure = error;
       return;
     }
@@ -116,7 +116,7 @@ export class XapiRecord implements Record {
     const waiting = { trouble: this.troubles.set.bind(this.troubles), isClosed: () => this.#isClosed };
     const launch = await launchOf(this.#link, waiting);
     const text = launch && (await textOf(() => new RecordStore(launch.access).state(owner, STATE), waiting));
-    // The page went before: what was done is kept here for the next session.
+    // The page unloaded first: the results stay in local storage for the next session.
     if (launch === undefined || text === undefined) return new Promise(() => undefined);
     const { masteryScore: pass, isReview, isMuted, returnAddress } = launch;
     this.#launch = launch;
@@ -130,7 +130,7 @@ export class XapiRecord implements Record {
     this.#said = this.#saidOf(said, saidIn(this.#saidSlot?.get() ?? ''));
     this.#outbox?.open((waiting) => this.#arranged(waiting));
     const known = joined(this.#copy?.get() ?? NOTHING, readMemory(memory));
-    // Who leaves before the story is there has seen nothing new.
+    // A learner who leaves before the story has loaded has seen nothing new.
     this.#last = { ...this.#last, memory: known };
     return { memory: known, isComplete: this.#said.isComplete, pass, isReview, isMuted, returnAddress };
   }
@@ -151,7 +151,7 @@ export class XapiRecord implements Record {
 
   #stateTold(outcome: Outcome): void {
     this.troubles.set('state', outcome === 'taken' ? undefined : outcome);
-    // What the store has is not left on a computer that others may use.
+    // Data in the store is removed from the computer, because others may use it.
     if (outcome === 'taken' && this.#keeper?.isKept) {
       this.#copy?.clear();
       this.#saidSlot?.clear();
@@ -177,7 +177,7 @@ export class XapiRecord implements Record {
   tell(report: Report): void {
     this.#last = report;
     if (this.#launch?.isReview !== true) this.#copy?.follow(this.#known(report.memory));
-    // What was said before is not known yet.
+    // The earlier results are not known yet.
     if (this.#launch === undefined || this.#launch.isReview) return;
     if (report.isComplete && !this.#said.isComplete) {
       this.#say('completed', { isComplete: true });
@@ -246,7 +246,7 @@ export class XapiRecord implements Record {
     if (this.#session === undefined || this.#isClosed) return;
     if (this.#launch?.isReview && verb !== 'initialized' && verb !== 'terminated') return;
     const { placeSecs, durationSecs, progress, seen, isSettled } = this.#last;
-    // Before the store has answered nobody knows what was reached before.
+    // Before the store has answered, the earlier score is unknown.
     const score = this.#launch === undefined ? undefined : this.#last.score;
     const moment: LearnerPosition = { placeSecs, fromSecs, durationSecs, progress, seen, score, isSettled, spentMs: performance.now() - this.#sinceMs };
     if (Object.keys(said).length > 0) this.#saidSlot?.set(JSON.stringify((this.#said = { ...this.#said, ...said })));

@@ -13,7 +13,7 @@ export function actionsOf(player: RaconteurPlayer, context: PlayerContext): KeyA
   const actions: KeyActions & BarActions = {
     toggle: () => {
       const { lesson, form } = context.questioner;
-      // The story goes on when it has its answer.
+      // The story continues after the answer.
       if (player.paused && lesson.asked !== undefined) return form.focus();
       if (player.paused) player.play().catch((error: Error) => error.name !== 'AbortError' && say(wordsFor(player).notStarted));
       else player.pause();

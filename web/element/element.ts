@@ -175,7 +175,7 @@ export class RaconteurPlayer extends PlayerAttributes {
   });
   readonly #arrival = new Arrival(this.#context, this.#stories, this.#figures, () => this.renew());
   readonly #idle = new Idle(
-    // Controls that hold the keyboard's focus stay.
+    // Controls with keyboard focus stay visible.
     () => this.paused || this.renderRoot.querySelector('.bar :focus-visible') !== null,
     () => this.requestUpdate(),
   );
@@ -228,7 +228,7 @@ export class RaconteurPlayer extends PlayerAttributes {
   /** Uses a file of the user, a `.glb` or `.vrm`, as the figure; it stays on this machine. */
   useFigure(file: File): void {
     this.#figures.given = file;
-    // The same name may stand for another file than before.
+    // The same name may refer to another file than before.
     const { show } = this.#context;
     if (show?.figure === file.name) show.figure = '';
     this.figure = file.name;
@@ -398,9 +398,10 @@ export class RaconteurPlayer extends PlayerAttributes {
 
   /** Moves the keyboard focus to the player, so its keys work. */
   override focus(options?: FocusOptions): void {
-    // What takes it is drawn a moment after the element was put into the page.
+    // The control that receives the focus is rendered a moment after the element was inserted into
+    // the page.
     if (this.isConnected && !this.hasUpdated) this.performUpdate();
-    // The browser leaves the focus where it is in the player, as on a button that goes.
+    // The browser leaves the focus inside the player, for example on a button that is removed.
     const frame = this.renderRoot.querySelector<HTMLElement>('.frame');
     if (this.shadowRoot?.activeElement != null && frame !== null) frame.focus(options);
     else super.focus(options);
@@ -420,7 +421,8 @@ export class RaconteurPlayer extends PlayerAttributes {
     super.disconnectedCallback();
     this.#around.rest();
     this.#own.rest();
-    // Moving an element disconnects it for a moment; one that stays away rests, as a video does.
+    // Moving an element disconnects it for a moment; an element that stays disconnected pauses, as
+    // a video does.
     setTimeout(() => !this.isConnected && this.#playback.pause());
     this.#away.count();
   }
@@ -452,7 +454,7 @@ export class RaconteurPlayer extends PlayerAttributes {
     this.follow();
     this.#captionRoom.measure();
     this.#makeRoom();
-    // While it plays the next frame comes by itself.
+    // During playback the next frame comes automatically.
     if (this.paused) this.#frames.advance();
   }
 

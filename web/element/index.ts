@@ -19,8 +19,8 @@ export type { Cue } from './base/performance.js';
 export type { FlowEntry, Question, QuestionKind, QuestionOption, Way } from './base/questions.js';
 export type { AudioFile, Backend, Diagnostic, Hand, Place, Quality, Statistics, Story, Utterance, View, Word } from './base/types.js';
 
-// The library lies beside the script, wherever that comes from. A name of its own for the script, so
-// that the build leaves the folder alone; and nothing else may import this file, which would then be
-// part of a script in another folder.
+// The library is next to the script. The URL is in a variable, so that the build leaves the folder
+// alone. No other module may import this file, because it would then be bundled into a script in
+// another folder.
 const script = import.meta.url;
 register(new URL('assets/', script).href);

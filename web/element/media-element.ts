@@ -52,7 +52,7 @@ export abstract class MediaElement extends PromptElement {
   /** A page switches the story's captions by their track. */
   protected abstract showCaptions(shown: boolean): void;
 
-  // --- what is played ---
+  // --- playback ---
 
   /**
    * Address of the story's EML file, absolute; its speech bundle is in `voice/` next to it. Without it, `''`, the story is the element's content: plain text,
@@ -164,7 +164,7 @@ export abstract class MediaElement extends PromptElement {
 
   /** True while a seek is in progress. */
   get seeking(): boolean {
-    // Its end is told by both.
+    // Both events report its end.
     return isPending(this, 'timeupdate') && isPending(this, 'seeked');
   }
 
@@ -203,7 +203,7 @@ export abstract class MediaElement extends PromptElement {
 
   /** True if the story has reached its end and does not loop. */
   get ended(): boolean {
-    // Nothing that lasts no time begins again.
+    // A story without duration does not loop.
     const repeats = this.loop && this.duration > 0;
     return !repeats && (this.parts.context.show?.transport.ended ?? false);
   }
@@ -282,7 +282,7 @@ export abstract class MediaElement extends PromptElement {
     if (this.#rate !== 1) show?.transport.replan();
   }
 
-  // --- what is heard ---
+  // --- audio ---
 
   /** Volume, 0 to 1. Throws `IndexSizeError` outside this range, and `TypeError` for NaN. */
   get volume(): number {
@@ -331,7 +331,7 @@ export abstract class MediaElement extends PromptElement {
     this.parts.context.show?.voice.setDevice(this.#device);
   }
 
-  // --- what is seen ---
+  // --- display ---
 
   /** Shows controls. */
   get controls(): boolean {
@@ -461,11 +461,11 @@ export abstract class MediaElement extends PromptElement {
   }
 
   override attributeChangedCallback(name: string, before: string | null, after: string | null, namespace?: string | null): void {
-    // The attributes of the element have none.
+    // The attributes of the element have no namespace.
     if (namespace) return;
     const property = THEMSELVES.get(name);
     if (property !== undefined) {
-      // A story is loaded anew also where it is the same one, and goes on without its address.
+      // The same story also loads again, and continues without its URL.
       if (name === 'src' ? after !== null : before !== after) this.requestUpdate(property, {});
       if (name === 'src' && after !== null) this.#look();
       if (this.disablePictureInPicture && document.pictureInPictureElement === this) void document.exitPictureInPicture();

@@ -33,7 +33,7 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
   const words = wordsFor(player);
   const before = (show !== undefined || stories.waits) && player.paused && (!started || player.ended) && questioner.lesson.asked === undefined;
   const shown = show !== undefined && stories.lost === 'no';
-  // What a film stands in for is told where it is not watched.
+  // The events that a film stands in for fire even if nobody watches it.
   const told = film === undefined || player.paused || !idle.is;
   const poster = !started || (stories.lost === 'yes' && film === undefined);
   return html`<div class="frame" tabindex="0" role="group" aria-label=${words.player}>

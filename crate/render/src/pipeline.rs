@@ -378,13 +378,13 @@ impl Pipelines {
         }
     }
 
-    /// Returns the pipeline of a material's key; `None` before [`Self::prepare`].
+    /// Returns the pipeline of a material's key; `None` until [`Self::make_next`] has compiled it.
     pub(crate) fn material(&self, key: PipelineKey) -> Option<&RenderPipeline> {
         let found = self.materials.iter().find(|(l, _)| *l == key);
         found.map(|(_, pipeline)| pipeline)
     }
 
-    /// Returns the pipeline of a shadow; `None` before [`Self::prepare`].
+    /// Returns the pipeline of a shadow; `None` until [`Self::make_next`] has compiled it.
     pub(crate) fn shadow(
         &self,
         light: u32,

@@ -178,7 +178,7 @@ impl BoundMesh {
     }
 
     /// Updates the part of `current` rendered at a level of detail to the nodes, which are [those
-    /// of](Nodes::of) this mesh among others; parts of other levels are unchanged. Allocates
+    /// of](Nodes::from_meshes) this mesh among others; parts of other levels are unchanged. Allocates
     /// nothing.
     pub fn apply(&mut self, nodes: &Nodes, level: usize) {
         let mut start = 0;

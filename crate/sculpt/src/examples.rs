@@ -53,7 +53,7 @@ const MAX_DETAIL: f64 = 0.95;
 pub struct Draft {
     /// The person of the body model.
     pub traits: Traits,
-    /// Amounts of [`FIELDS`](crate::head::FIELDS), in their order.
+    /// Amounts of [`FIELDS`], in their order.
     pub fields: Vec<f64>,
     /// Appearance apart from the shape.
     pub look: Look,

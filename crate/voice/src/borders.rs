@@ -4,7 +4,7 @@
 //! This module moves each boundary within a limited range, so that vowels and sonorants cover
 //! voiced audio, friction noise, plosives their closure and burst, and pauses silence, for the
 //! whole sentence together by the shortest path. Costs are *designed*, in logarithms of odds;
-//! [`crate::hear`] measures their effect.
+//! [`crate::measured_speech`] measures their effect.
 
 use crate::manner::{Manner, manner};
 use crate::signal::bursts;

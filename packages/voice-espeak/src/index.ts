@@ -14,7 +14,7 @@ export const espeak: SpeechSource = new WorkerSource({
   name: 'espeak-ng',
   about: 'A clear voice that sounds like a machine, of many languages.',
   license: 'GPL-3.0-or-later',
-  // The player's own voices speak English.
+  // The built-in voices of the player speak English.
   speaks: (language) => !isEnglish(language),
   voiceOf(figure, language) {
     const tag = language.toLowerCase();

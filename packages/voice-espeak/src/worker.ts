@@ -23,8 +23,8 @@ class Espeak implements Host {
   constructor(module: EspeakModule) {
     this.#module = module;
     this.#worker = new module.eSpeakNGWorker();
-    // The module keeps a place in memory for strings, and makes it larger with the second that did not fit: from now on
-    // the longest fit, and that place is part of the fresh memory.
+    // The module keeps a buffer for strings and enlarges it with the second string that did not
+    // fit. From then on the longest strings fit, and the buffer is part of the new memory.
     for (let i = 0; i < 2; i++) this.#worker.set_voice('x'.repeat(4 * MAX_CHARACTERS));
     this.#fresh = module.HEAPU8.slice();
   }

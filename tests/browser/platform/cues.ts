@@ -293,7 +293,7 @@ const rows: readonly Row[] = [
       await wait(0);
       return [before, atOnce, track.activeCues?.length];
     },
-    // It is told at once.
+    // The event fires immediately.
     expected: [0, 1, 1],
   },
 ];

@@ -87,7 +87,7 @@ const reload = async ({ media, good, absent, event, follow, wait }: Kit<Video>, 
   const there = event({ idle: 'suspend', loading: 'loadstart', moved: 'loadeddata', failed: 'error' }[when]);
   media.src = when === 'failed' ? absent : good;
   await there;
-  // Listeners of the event come first, as in the original.
+  // Listeners of the event run first, as in the original test.
   const told = follow('abort', 'emptied', 'timeupdate', 'loadstart');
   if (when === 'moved') media.currentTime = 1;
   const again = event('loadstart');
@@ -237,7 +237,7 @@ const selected: readonly Row[] = [
       await there;
       media.removeAttribute('src');
       await wait(100);
-      // Nothing is let go of before the next load.
+      // Nothing is released before the next load.
       return [media.readyState, media.currentSrc.endsWith(good)];
     },
     expected: [4, true],

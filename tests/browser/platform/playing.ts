@@ -115,7 +115,7 @@ const loops: readonly Row[] = [
       const sought = event('seeked');
       media.currentTime = media.duration;
       await sought;
-      // Each of the two seeks may tell that it begins.
+      // Each of the two seeks may fire `seeking`.
       return [media.currentTime, told.filter((type, i) => type !== told[i - 1])];
     },
     expected: [0, ['seeking', 'timeupdate', 'seeked']],

@@ -59,7 +59,7 @@ const lists: readonly Row[] = [
       try {
         (textTracks as unknown as { length: number }).length = 10;
       } catch {
-        // It cannot be set; strict scripts are told.
+        // The property is read-only; in strict mode the assignment throws.
       }
       return [before, textTracks.length];
     },

@@ -75,7 +75,7 @@ function formatOf(language: string, unit: Unit): Intl.NumberFormat {
   try {
     made = new Intl.NumberFormat(language, options);
   } catch {
-    // What a page says is no language.
+    // The language that the page specifies is invalid.
     made = new Intl.NumberFormat('en', options);
   }
   formats.set(name, made);

@@ -92,7 +92,7 @@ class StallTimer {
   reason(error: unknown): unknown {
     const { what, signal } = this.#fetching;
     if (signal?.aborted) return signal.reason;
-    // What has come is not what it should be.
+    // The received data has the wrong format.
     if (error instanceof WebAssembly.CompileError) return error;
     return this.#why ?? new FetchError(`${what} could not be fetched from ${shown(this.#url)}: is the network available?`, { cause: error });
   }
@@ -146,7 +146,7 @@ export async function fetchText(url: URL, fetching: Fetching): Promise<string> {
   return new TextDecoder().decode(await fetchBytes(url, fetching));
 }
 
-// Older kinds of scripts have no such address.
+// Classic scripts have no such address.
 if ((import.meta.url as string | undefined) === undefined) {
   throw new PlayerError('The player was built as a script without an address of its own: build it as a module (esbuild: --format=esm).');
 }
@@ -185,7 +185,7 @@ export async function fetchModule(url: URL, fetching: Fetching): Promise<WebAsse
 export async function placeOf(url: URL, folder = PLAYER): Promise<URL> {
   const { library } = spare;
   if (library === undefined) return url;
-  // Servers of applications answer with their page what they do not have.
+  // Application servers return their page for missing files.
   const isThere = await fetch(url, { method: 'HEAD' }).then(
     ({ status, headers }) => status !== 404 && !headers.get('content-type')?.startsWith('text/html'),
     () => true,
@@ -197,14 +197,15 @@ async function compiled(url: URL, fetching: Fetching): Promise<WebAssembly.Modul
   return await watched(url, fetching, async (watch) => {
     const response = await watch.open();
     const type = response.headers.get('content-type') ?? '';
-    // Servers of applications answer with their page what they do not have.
+    // Application servers return their page for missing files.
     if (type.startsWith('text/html')) throw watch.missing();
     if (!type.startsWith('application/wasm')) {
       const chunks: Uint8Array[] = [];
       await watch.read(response, (chunk) => chunks.push(chunk));
       return await WebAssembly.compile(joined(chunks));
     }
-    // A browser keeps the code that it has made of a response of its own, so that one is compiled and a copy counted.
+    // A browser caches compiled code only for its own response. The original is therefore compiled,
+    // and a copy is counted.
     const copy = response.clone();
     const [module] = await Promise.all([WebAssembly.compileStreaming(response), watch.read(copy, () => undefined)]);
     return module;

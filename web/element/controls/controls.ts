@@ -132,7 +132,7 @@ export function bar(state: BarState, actions: BarActions): TemplateResult {
 /** Returns the caption with the spoken word highlighted. */
 export function caption(now: ReturnType<typeof captionAt>): TemplateResult | typeof nothing {
   if (now === undefined) return nothing;
-  // A space between words, inside the line: `mark` alone would glue them.
+  // A space between words, inside the line: `mark` alone would join them.
   const { words: all, second } = now.caption;
   const words = all.map((w, i) => html`${i === 0 ? nothing : i === second ? html` <br />` : ' '}${i === now.word ? html`<mark part="caption-word">${w.text}</mark>` : w.text}`);
   return html`<div class="captions" part="captions"><span>${words}</span></div>`;

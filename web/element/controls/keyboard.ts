@@ -21,7 +21,7 @@ const VOLUME_STEP = 0.1;
 export function handleKey(event: KeyboardEvent, target: EventTarget | undefined, actions: KeyActions): boolean {
   if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return false;
   const { key } = event;
-  // A control that has a use of its own for a key keeps it.
+  // A control that uses a key itself keeps it.
   if (target instanceof HTMLElement) {
     const presses = target.matches('button, summary, a');
     if (presses && (key === ' ' || key === 'Enter')) return false;

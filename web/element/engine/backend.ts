@@ -141,7 +141,7 @@ function compile(url: string): Promise<WebAssembly.Module> {
   if (module === undefined) {
     module = fetchModule(new URL(url, SCRIPT), { what: 'The player', most: MAX_BYTES });
     modules.set(url, module);
-    // A failure is not kept: the network may come back.
+    // A failure is not cached, because the network may return.
     module.catch(() => modules.delete(url));
   }
   return module;

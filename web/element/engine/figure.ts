@@ -66,7 +66,8 @@ export async function showImages(engine: Engine, current: () => boolean): Promis
     images.map(async (i) => {
       try {
         const picture = new Blob([engine.imageBytes(i) as Uint8Array<ArrayBuffer>], { type: engine.imageType(i) });
-        // Normal maps are numbers, not colours: nothing may be converted or multiplied.
+        // Normal maps contain numbers, not colours, so conversion and premultiplication are
+        // disabled.
         const bitmap = await createImageBitmap(picture, { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
         const { width, height } = bitmap;
         const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });

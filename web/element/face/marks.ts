@@ -74,7 +74,7 @@ function tattoo(context: Context, { shape = 'star', text = '' }: FaceMark): void
     SHAPES[shape](context);
     return;
   }
-  // Type is set in whole pixels, so it is drawn large and made small.
+  // Browsers set type in whole pixels, so it is drawn large and scaled down.
   context.font = '600 100px serif';
   context.textAlign = 'center';
   context.textBaseline = 'middle';

@@ -32,7 +32,7 @@ export class Speckles {
 
   draw(context: OffscreenCanvasRenderingContext2D, engine: Engine, { freckles, stubble, grey, ageSpots, moles, seed }: SkinPaint): void {
     context.save();
-    // Paint is what is left of each colour.
+    // Paint reflects a share of each colour.
     context.globalCompositeOperation = 'multiply';
     const share = (kind: SpotKind, of: number): Float32Array => {
       const spots = this.#of(engine, kind, seed);

@@ -23,7 +23,7 @@ function shareOf(question: Question, given: readonly string[]): number {
   const share = (isIt: (given: readonly string[], place: number) => boolean) => options.filter((_, place) => isIt(given, place)).length / options.length;
   switch (kind) {
     case 'several': {
-      // Who chooses all there is knows nothing: what is wrong takes away as much as what is right gives.
+      // Choosing all options shows no knowledge: wrong options subtract as much as right ones add.
       const right = options.filter(({ isRight }) => isRight).length;
       const chosen = options.filter(({ name }) => given.includes(name));
       const gained = chosen.reduce((sum, { isRight }) => sum + (isRight ? 1 : -1), 0);
@@ -34,7 +34,7 @@ function shareOf(question: Question, given: readonly string[]): number {
     case 'gap':
       return share((all, place) => isFilled(question, all, place));
     case 'order': {
-      // One that is moved away does not make all behind it wrong.
+      // One moved option does not make all options after it wrong.
       const pairs = options.slice(1).filter(({ name }, i) => given.indexOf(name) === given.indexOf(options[i]?.name ?? '') + 1 && given.includes(name));
       return options.length > 1 ? pairs.length / (options.length - 1) : 0;
     }

@@ -135,7 +135,7 @@ export class Lesson {
     for (const question of questions) {
       this.#drop(({ name }) => name === question.name);
       this.#answered.delete(question.name);
-      // What the story has at that time comes before, and nothing follows by itself.
+      // Events that the story has at that time come first, and nothing follows automatically.
       const asked = { ...question, order: LIVE + this.#questions.length, endSecs: question.atSecs, answers: [] };
       this.#questions = [...this.#questions, asked];
       const later = this.#marks.findIndex(({ atSecs }, i) => i >= this.#next && atSecs > asked.atSecs);
@@ -212,11 +212,12 @@ export class Lesson {
     this.#follows = this.#asked = undefined;
     this.#stoodSecs = secs;
     this.#closed.clear();
-    // Nobody comes further than by the ways of the story: from there on it is walked through.
+    // A seek does not pass the furthest position that the story's paths have reached; the rest is
+    // traversed from there.
     const from = Math.min(secs, this.#furthestSecs);
     const next = this.#marks.findIndex(({ atSecs }) => atSecs >= from - NEARLY_SECS);
     this.#next = next < 0 ? this.#marks.length : next;
-    // What the story has come into: conditions and answers are looked at again.
+    // The seek target is inside this mark, so its conditions and answers are evaluated again.
     const around = this.#marks.findIndex((mark) => mark.kind !== 'part' && mark.atSecs < from - NEARLY_SECS && from < mark.endSecs - NEARLY_SECS);
     if (around >= 0 && around < this.#next) this.#next = around;
   }
@@ -307,7 +308,7 @@ export class Lesson {
   #leave(secs: number): FlowTurn | undefined {
     const follows = this.#follows;
     if (follows === undefined) return undefined;
-    // What is on the way within the answer comes before its end.
+    // Marks within the answer come before its end.
     const turn = this.#walk(Math.min(secs, follows.endSecs));
     if (turn.kind !== 'go' || secs < follows.endSecs - NEARLY_SECS) return turn;
     this.#follows = undefined;
@@ -327,7 +328,7 @@ export class Lesson {
         continue;
       }
       const turn = this.#meet(mark, secs);
-      // It is come to again, until it is answered.
+      // The story returns to the question until it is answered.
       if (turn?.kind === 'rest') this.#next = at;
       if (turn !== undefined) return turn;
     }
@@ -351,7 +352,7 @@ export class Lesson {
       case 'if': {
         const holds = this.#values.holds(mark, { score: this.score, answered: (name) => this.#answered.get(name) });
         this.#open(mark, holds);
-        // What stands exactly at its beginning is its own.
+        // A mark exactly at the start of the path belongs to it.
         return holds ? undefined : this.#over(mark, secs, mark.atSecs - 2 * NEARLY_SECS);
       }
       case 'answer':
@@ -393,7 +394,7 @@ export class Lesson {
     const isBack = part.order <= order;
     if (isBack) this.#forget(part.order, order);
     else this.#skipped.push([atSecs, part.atSecs]);
-    // Who was brought further has come past the part.
+    // A story that jumped further has passed the part.
     return isBack || part.atSecs > secs + NEARLY_SECS ? { kind: 'leap', fromSecs: atSecs, toSecs: part.atSecs } : undefined;
   }
 

@@ -54,7 +54,7 @@ export class Limit {
   }
 
   #tick(): void {
-    // Nobody thinks about what is not seen.
+    // The time limit does not run while the page is hidden.
     if (document.hidden) return;
     this.#leftSecs -= 1;
     if (this.#leftSecs > 0) {

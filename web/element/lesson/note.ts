@@ -46,7 +46,7 @@ export class Note {
 
   #close({ detail }: MouseEvent): void {
     this.show('');
-    // A key has pressed the button, which goes.
+    // A key pressed the button, which is removed.
     if (detail === 0) this.#listener.left();
   }
 

@@ -8,14 +8,14 @@ export function leftOut(questions: readonly Question[], ways: readonly FlowEntry
   const items = new Map<number, number[]>();
   for (const way of ways) if (way.kind === 'item') items.set(way.pool, [...(items.get(way.pool) ?? []), way.order]);
   const out = new Set<number>();
-  // By numbers: the places change with what stands before them.
+  // Pools are identified by number, because positions change with the preceding text.
   [...ways].filter(isPool).forEach(({ order, count }, nth) => {
     const all = items.get(order) ?? [];
     const numbers = all.map((_, i) => String(i));
     for (const i of shuffled(numbers, `pool ${nth}`, seed).slice(count)) out.add(all[Number(i)] ?? -1);
   });
   if (out.size === 0) return out;
-  // What stands in something comes after it.
+  // Items inside an element come after it.
   const inside: readonly (FlowEntry | Question)[] = [...ways, ...questions].sort((a, b) => a.order - b.order);
   for (const it of inside) {
     if (!out.has(it.order) && !(it.within !== undefined && out.has(it.within))) continue;

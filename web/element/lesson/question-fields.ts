@@ -91,7 +91,7 @@ function order({ question, words, shown, move, image }: Fields): TemplateResult 
   const optionOf = (name: string) => question.options.find((option) => option.name === name);
   const textOf = (name: string) => readOf(optionOf(name));
   const ends = (name: string, by: -1 | 1) => shown.at(by < 0 ? 0 : -1) === name;
-  // One that can do nothing keeps the focus.
+  // A button without effect keeps the focus.
   const button = (name: string, by: -1 | 1, label: string, sign: string) => html`<button
     type="button"
     class="move"

@@ -74,7 +74,7 @@ export class QuestionForm {
     void player.updateComplete.then(() => {
       if (question !== undefined && onScreen) this.#find('.question')?.scrollIntoView({ block: 'nearest' });
       void this.place();
-      // Whoever was in the player is where something is to be done.
+      // If the player had the focus, the form receives it.
       if (!isThere) return;
       if (question === undefined) player.focus();
       else this.focus();
@@ -132,7 +132,7 @@ export class QuestionForm {
   #submit(event: SubmitEvent, question: Question): void {
     event.preventDefault();
     const form = event.currentTarget as HTMLFormElement;
-    // Browsers would say it in a language of their own.
+    // Browsers would show messages in their own language.
     const isFilled = form.checkValidity();
     if (isFilled && this.#answer(question.kind === 'gap' ? gapsIn(form, question) : givenIn(form, question, this.#shown))) return;
     this.#said = this.words.first;
@@ -166,7 +166,7 @@ export class QuestionForm {
     return html`<img part="picture" src=${addressOf(picture.file, story)} alt=${picture.alt} />`;
   }
 
-  // --- what is pointed at ---
+  // --- drag targets ---
 
   /** Renders markers on the stage for pointing; the fields are an alternative. */
   #markers(question: Question): TemplateResult {

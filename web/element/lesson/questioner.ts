@@ -53,7 +53,7 @@ export class Questioner {
     const { asked } = this.lesson;
     if (secs === undefined) this.lesson.restore(state);
     else this.lesson.join(state, secs);
-    // The form of what is still asked, and what is written there, stays; what was answered before is passed.
+    // The form of an open question stays with its input; answered questions are passed.
     const isOver = asked !== undefined && secs !== undefined && this.lesson.pass(secs).kind !== 'rest';
     if (isOver) this.lesson.seek(secs);
     this.#ask();
@@ -115,7 +115,7 @@ export class Questioner {
     if (turn.kind === 'go') return true;
     const [from, to] = turn.kind === 'rest' ? [turn.atSecs, turn.atSecs] : [turn.fromSecs, turn.toSecs];
     this.#isTurning = true;
-    // What lies on the way there is not lost.
+    // Events on the way to that time are not lost.
     if (!transport.paused) drain?.(Math.min(from, secs));
     if (turn.kind === 'rest') transport.pause();
     const isThere = Math.abs(secs - to) < NEAR_SECS;
@@ -139,7 +139,8 @@ export class Questioner {
       fire(player, 'question', asked);
       const { kind, ...told } = asked;
       tell({ kind: 'question', ...told, type: kind });
-      // One that follows at once would be said instead of what there is to read of the answer.
+      // A question that follows immediately would be announced instead of the feedback on the
+      // answer.
       say([this.form.feedback, this.form.words.asks(this.form.prompt)].filter(Boolean).join(' '));
     }
     keepTime();

@@ -43,7 +43,8 @@ export function after(media: EventTarget, work: () => void): void {
 }
 
 function pass(media: EventTarget): void {
-  // It is told, and counts as told, before its listeners are called. None is there where it was taken back.
+  // The event is fired, and counts as fired, before its listeners run. The queue is empty if the
+  // event was cancelled.
   const step = queues.get(media)?.shift();
   if (typeof step === 'function') step();
   else if (step !== undefined) media.dispatchEvent(step);
@@ -62,7 +63,7 @@ export function takeBack(media: EventTarget): void {
 export function takeBackSeek(media: EventTarget): void {
   const steps = queues.get(media) ?? [];
   const at = steps.findIndex((step) => step instanceof Event && step.type === 'seeked');
-  // Its `timeupdate` is right before it, unless it was told already.
+  // Its `timeupdate` directly precedes it, unless it has fired already.
   if (at >= 0) steps.splice(Math.max(0, at - 1), Math.min(2, at + 1));
 }
 

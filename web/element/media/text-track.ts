@@ -63,7 +63,7 @@ export class StoryTextTrack extends EventTarget {
   }
 
   set mode(mode: TextTrackMode) {
-    // As for any attribute of an enumeration, another text changes nothing.
+    // As for every enumerated attribute, an invalid value changes nothing.
     if (!MODES.includes(mode) || mode === this.#mode) return;
     this.#mode = mode;
     this.#changed(this, false);
@@ -136,7 +136,7 @@ export class StoryTextTrack extends EventTarget {
       ...begun.map((cue) => ({ cue, type: 'enter' as const, secs: cue.startTime })),
       ...over.map((cue) => ({ cue, type: 'exit' as const, secs: Math.max(cue.startTime, cue.endTime) })),
     ];
-    // At one time the cues come in their order, and each is told first that it begins.
+    // At one time the cues come in their order, and the start of each is reported first.
     told.sort((a, b) => a.secs - b.secs || byTime(a.cue, b.cue));
     const tell = (): void => {
       for (const { cue, type } of told) cue.dispatchEvent(new Event(type));

@@ -60,7 +60,7 @@ export class Transport {
     if (this.#clock.running) {
       this.#latest = Math.max(this.#latest, this.#clock.at(this.#voice.heard()));
     }
-    // What an open-ended performance has come to, it keeps.
+    // An open-ended performance keeps the duration that it has reached.
     if (this.openEnded) this.extend(this.#latest);
     return Math.min(this.#latest, this.#endSecs);
   }
@@ -115,13 +115,14 @@ export class Transport {
     let target = Number.isFinite(secs) ? Math.min(this.#endSecs, Math.max(0, secs)) : 0;
     this.#emit('seeking');
     const isEnd = target >= this.#endSecs && this.#endSecs > 0 && !this.openEnded;
-    // What begins again at its end does so at once.
+    // A looping story restarts at its end immediately.
     if (isEnd && this.loop) {
       this.#emit('seeking');
       target = 0;
     }
     this.#moveTo(target);
-    // At rest it has ended there; `ended` is told of what came there by itself.
+    // A paused story that is sought to its end has ended; `ended` fires only for playback that
+    // reaches it.
     this.#ended = isEnd && !this.loop && !wasRunning;
     if (wasRunning) this.#run();
     else this.#voice.prepare(target);
@@ -198,7 +199,7 @@ export class Transport {
     }
     this.#waiting = false;
     this.#ready = position;
-    // At the speed 0 it plays, and time stands still.
+    // At speed 0 the story plays, but time stands still.
     if (this.#rate > 0) {
       const at = this.#voice.now() + LEAD_SECS;
       this.#voice.start(position, this.#rate, at);
@@ -220,7 +221,7 @@ export class Transport {
   }
 
   #finish(): void {
-    // Nothing that lasts no time can be repeated: it ends.
+    // A story without duration cannot loop: it ends.
     if (this.loop && this.#endSecs > 0) {
       this.#emit('seeking');
       // A listener may have gone elsewhere, or paused.

@@ -70,7 +70,7 @@ export class MindLink {
     }
     url.hash = '';
     const link = new MindLink(url, host);
-    // The element must know the link before it hears from it.
+    // The element must store the link before it receives events from it.
     link.#timer = setTimeout(() => link.#connect());
     return link;
   }
@@ -148,13 +148,13 @@ export class MindLink {
   }
 
   #hear(socket: WebSocket, data: unknown): void {
-    // Messages that had come before it was closed.
+    // Messages that arrived before the connection closed.
     if (socket !== this.#socket || socket.readyState !== WebSocket.OPEN) return;
     if (typeof data !== 'string' || data.length > MAX_CHARACTERS) {
       socket.close(typeof data === 'string' ? 4009 : 4003);
       return;
     }
-    // What is said first is performed first; an interruption does not wait for it.
+    // Messages are performed in order of arrival, but an interruption does not wait.
     const turn = this.#host.turn();
     const later = () => (turn.aborted ? this.#host.dropped() : this.#host.perform(data));
     const interrupts = this.#host.interrupts(data);
@@ -175,7 +175,7 @@ export class MindLink {
 
   #answer(socket: WebSocket, answers: readonly Answer[]): void {
     this.#refused = answers.some((a) => a.kind === 'failed' && a.code === 'live::busy') ? this.#refused + 1 : 0;
-    // What else is wrong was told as a cue.
+    // Other problems were reported as cues.
     for (const answer of answers) if (answer.kind === 'accepted' || answer.code === 'live::interrupted') this.tell(answer);
     if (this.#refused >= MAX_REFUSED) socket.close(4008);
   }

@@ -30,7 +30,8 @@ export class AnimationLoops {
   keep(playing: boolean, onScreen: boolean): void {
     if (playing && this.#beat === undefined) {
       this.#beat = setInterval(() => {
-        // Without pictures (a hidden page, a player scrolled away) the beat alone carries the story.
+        // Without frames (a hidden page, a player scrolled away) the timer alone advances the
+        // story.
         if (!this.drawing) this.#picture();
         this.#onBeat();
       }, BEAT_MS);

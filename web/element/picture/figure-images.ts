@@ -46,7 +46,7 @@ export class FigureImages {
       this.#given.unpaint();
       await this.paint(engine);
     }
-    // Those of a later figure may still be decoded; it lifts the hold itself.
+    // Images of a later figure may still be decoding; that figure clears the flag itself.
     if (current()) this.#pending = false;
     return missing;
   }

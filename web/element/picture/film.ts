@@ -41,7 +41,7 @@ export class Film {
     this.#onMissing = onMissing;
     const { video } = this;
     Object.assign(video, { muted: true, playsInline: true, preload: 'auto', disablePictureInPicture: true, disableRemotePlayback: true });
-    // Captions and controls say what there is to say.
+    // Captions and controls provide the accessible text.
     video.setAttribute('aria-hidden', 'true');
     video.tabIndex = -1;
     video.addEventListener('error', () => video.hasAttribute('src') && this.#next());
@@ -65,7 +65,7 @@ export class Film {
 
   #next(): void {
     const url = this.#addresses.shift();
-    // Not before whoever asked has the film that is missing.
+    // Deferred until the caller has the film that is missing.
     if (url === undefined) queueMicrotask(this.#onMissing);
     else this.video.src = url.href;
   }
@@ -74,7 +74,7 @@ export class Film {
     const { video } = this;
     const { secs, runs, rate } = this.#now;
     if (video.readyState === 0) return;
-    // A story that goes on after its film has the last picture of it.
+    // A story that is longer than its film shows the last frame of it.
     const place = Math.min(secs, video.duration || secs);
     const drift = video.currentTime - place;
     if (!runs || secs >= video.duration) {
@@ -86,7 +86,7 @@ export class Film {
     if (todo === 'set') this.#place(place, false);
     else if (video.playbackRate !== todo) video.playbackRate = todo;
     if (video.paused) {
-      // Where it stood it was at its place; the browser takes a moment to begin.
+      // The paused film was at its position; the browser takes a moment to start.
       video.playbackRate = rate;
       video.play().catch(() => undefined);
     }
@@ -94,7 +94,7 @@ export class Film {
 
   #place(secs: number, rests: boolean): void {
     const ms = performance.now();
-    // `seeked` comes back here.
+    // The `seeked` handler calls this function again.
     if (this.video.seeking || (!rests && ms - this.#setMs < SETTLE_MS)) return;
     this.#setMs = ms;
     this.video.currentTime = secs;

@@ -96,7 +96,7 @@ export class Picture {
     if (engine === undefined || this.#canvas === undefined) return undefined;
     const before = this.#reader.files.figure;
     const same = before.glb === files.figure.glb && before.name === files.figure.name;
-    // Its pictures may still be decoded: they are those of this very figure.
+    // Images may still be decoding: they belong to this figure.
     const told = same ? { ...files, figure: before } : files;
     this.#events = events;
     this.#asked.openEnded = false;
@@ -237,7 +237,7 @@ export class Picture {
     if (engine === undefined) throw new PlayerError('The picture is lost, so the figure cannot be changed.');
     const files = { ...this.#reader.files, figure };
     let story: Story;
-    // Who comes has a face of its own.
+    // A new figure has its own face.
     const { face } = this.#given;
     this.#given.face = undefined;
     try {
@@ -274,7 +274,7 @@ export class Picture {
       throw error;
     }
     this.seek(this.#lastShown);
-    // Its own face is in its file, and comes with pictures anew.
+    // The face of the figure is in its file, and its images are decoded again.
     if (face === undefined && before !== undefined) await this.#images.decode(engine);
     else await this.#images.paint(engine);
   }
@@ -337,10 +337,10 @@ export class Picture {
   show(secs: number, resting: boolean, running: boolean): Cue[] {
     return (
       this.#guard((engine) => {
-        // What is passed while nothing is shown is told of with the next picture.
+        // Events passed while nothing is shown are reported with the next frame.
         if (this.#images.pending) return [];
         this.#lastShown = secs;
-        // A face that changes is no picture that stands still.
+        // A face that changes is not a still frame.
         const isStill = resting && !this.#given.moves;
         this.#pace.rest(engine, isStill);
         this.#pace.keep(engine, running);
@@ -364,7 +364,7 @@ export class Picture {
   #wait(draw: (engine: Engine) => number): void {
     this.#guard((engine) => {
       if (this.#images.pending) return;
-      // Few pictures, so each has the time for every pixel.
+      // Frames are few, so each has the time for full resolution.
       this.#pace.rest(engine, true);
       this.#pace.keep(engine, false);
       this.#shown(draw(engine));
@@ -439,7 +439,7 @@ export class Picture {
     try {
       engine = await createEngine(this.#backend, canvas);
       let story = this.#reader.read(engine);
-      // The first picture has its animations, if they come soon.
+      // The first frame includes its animations if they load soon.
       await this.#reader.files.animations.fetch(engine);
       engine.setQuality(this.#asked.quality);
       this.#pace.pass(engine);
@@ -460,7 +460,7 @@ export class Picture {
   #follow(engine: Engine, live: boolean, { animations, eml }: StoryFiles): void {
     void animations.next(engine)?.then(() => {
       if (engine !== this.#engine || eml !== this.#reader.files.eml || animations !== this.#reader.files.animations) return;
-      // What comes to a text that is edited is there from its beginning; else it eases in.
+      // Additions to an edited text are present from its beginning; otherwise they ease in.
       const anew = this.#reader.files.edited === true && !live;
       const later = this.#guard(() => (anew ? this.#reader.reread(engine) : animations.provide(engine, eml)));
       if (anew) this.seek(this.#lastShown);
@@ -491,6 +491,6 @@ function release(engine: Engine): void {
   try {
     engine.free();
   } catch {
-    // Its instance is garbage either way.
+    // The instance is discarded in both cases.
   }
 }

@@ -35,12 +35,12 @@ export class StoryReader {
       const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motion);
       if (told === undefined) this.#given.apply(engine);
       engine.setOpenEnded(this.#asked.openEnded);
-      // An edited text is shown with room for what it may become.
+      // An edited text is loaded with capacity for later edits.
       if (edited) return this.reread(engine, files);
       const animated = this.animate(engine, story, files) ?? story;
       return problem === undefined ? animated : { ...animated, diagnostics: [problem, ...animated.diagnostics] };
     } catch (error) {
-      // An engine throws for a figure alone; all else is in diagnostics.
+      // An engine throws only for a figure; all other problems are diagnostics.
       if (error instanceof PlayerError) throw error;
       throw isTrap(error) ? trapError(engine, files, error) : unusable(figure.where, error);
     }

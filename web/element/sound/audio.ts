@@ -123,7 +123,7 @@ export class RecordedVoice implements Voice {
 
   get running(): boolean {
     const audio = this.#context();
-    // `resume` was not called yet on one that was made anew; it may run where the user has done something.
+    // `resume` was not yet called on a new context; it may run after a user activation.
     if (audio !== this.#asked) {
       this.#asked = audio;
       void wake(audio);
@@ -229,7 +229,7 @@ export class RecordedVoice implements Voice {
       for (const map of [this.#sounds, this.#stretched, this.#playing] as Map<Utterance, unknown>[]) {
         const had = map.get(utterance);
         map.delete(utterance);
-        // One that is still being fetched is fetched again when it is sought.
+        // An entry that is still loading is fetched again when it is needed.
         if (shorter !== undefined && had !== undefined && had !== 'pending') map.set(shorter, had);
       }
     }
@@ -316,7 +316,7 @@ export class RecordedVoice implements Voice {
     for (const utterance of this.#utterances) {
       const offset = position - utterance.startSecs;
       if (offset >= utterance.durationSecs) continue;
-      // The story stops before what is being spoken, or its first sounds would be passed.
+      // The story stops before the current utterance; otherwise its first phones would be skipped.
       if (this.#speaking > 0 && utterance.audio.length === 0 && offset >= -BEFORE_SPEAKING_SECS) return false;
       if (offset < 0) continue;
       const sound = this.#sounds.get(utterance);
@@ -333,7 +333,7 @@ export class RecordedVoice implements Voice {
     this.#spoken?.stop();
     this.#sounds.clear();
     this.#stretched.clear();
-    // The fade of stop() is let out before the voice is unplugged.
+    // The fade of stop() completes before the voice is disconnected.
     const master = this.#master;
     setTimeout(() => master?.disconnect(), 100);
     this.#master = undefined;
@@ -347,7 +347,8 @@ export class RecordedVoice implements Voice {
     }
     this.#sounds.set(utterance, 'pending');
     const probe = document.createElement('audio');
-    // What the browser says it cannot play is tried last: decodeAudioData knows more than it.
+    // Types that the browser reports as unsupported are tried last, because decodeAudioData
+    // supports more.
     const ranked = [...utterance.audio].sort((a, b) => Number(probe.canPlayType(b.mime) !== '') - Number(probe.canPlayType(a.mime) !== ''));
     let reason = '';
     for (const { file } of ranked) {
@@ -375,7 +376,7 @@ export class RecordedVoice implements Voice {
   /** Returns the bytes of a sound: generated here, or from the server. */
   async #bytes(file: string, url: URL): Promise<ArrayBuffer> {
     const given = this.#given.get(file);
-    // Decoding takes the bytes away.
+    // Decoding detaches the bytes.
     if (given !== undefined) return given.slice().buffer;
     return (await fetchBytes(url, { what: 'The recording', most: MAX_SOUND_BYTES, signal: this.#abort.signal, credentials: this.#credentials, silenceMs: PATIENCE_MS })).buffer;
   }
@@ -385,17 +386,17 @@ export class RecordedVoice implements Voice {
     const run = this.#run;
     if (run === undefined || this.#playing.has(utterance)) return;
     if (run.rate !== 1 && this.#stretcher === undefined) return;
-    // This takes a while, which must be over when the time is read.
+    // This takes a while and must be complete before the time is read.
     const buffer = this.#paced(utterance, sound, run.rate);
-    // Without the stretcher a voice at another speed is at least heard, if higher or lower.
+    // Without the stretcher, a voice at another speed is still audible, with a changed pitch.
     const speed = buffer === sound ? run.rate : 1;
     const audio = this.#context();
-    // In whole samples: between them a browser interpolates, which dulls the sound, and what
-    // joins another would not follow it sample by sample.
+    // Times are whole samples: between samples a browser interpolates, which dulls the audio, and
+    // adjoining audio would not be continuous.
     const whole = (secs: number) => Math.round(secs * audio.sampleRate) / audio.sampleRate;
     let when = whole(run.at + (utterance.startSecs - run.position) / run.rate);
     let offset = 0;
-    // A little room, so that the browser has the start before it is due: one that comes late
+    // A little lead time, so that the browser receives the start before it is due: a late start
     // begins late, and in the middle of its fade.
     const earliest = whole(Math.max(run.at, audio.currentTime + 0.02));
     if (when < earliest) {
@@ -406,7 +407,7 @@ export class RecordedVoice implements Voice {
     const gain = audio.createGain();
     gain.connect(this.#output());
     if (offset > 0) {
-      // Silent until then as well: the ramp may be found to begin a moment after the sample.
+      // Silent until then as well, because the ramp may begin a moment after the sample.
       gain.gain.value = 0;
       gain.gain.setValueAtTime(0, when);
       gain.gain.linearRampToValueAtTime(1, when + FADE_SECS);

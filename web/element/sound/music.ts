@@ -32,7 +32,7 @@ export function levelAt(line: Piece['level'], secs: number): number {
 /** Returns the correction for a piece that is `drift` seconds ahead of the story: a seek, or a playback rate. */
 export function steer(drift: number, rate: number): 'set' | number {
   if (Math.abs(drift) > JUMP_SECS) return 'set';
-  // A quarter of the way in each quarter of a second.
+  // Corrects a quarter of the drift in each quarter of a second.
   return Math.abs(drift) < NEAR_SECS ? rate : rate * (1 - Math.min(MAX_PULL, Math.max(-MAX_PULL, drift)));
 }
 
@@ -124,7 +124,8 @@ export class Music {
 
   ready(position: number): boolean {
     return this.#pieces.every((piece) => {
-      // What is danced to is waited for; a loop that sets a mood comes when it is there.
+      // The story waits for music that is danced to; a loop for atmosphere starts when it has
+      // loaded.
       if (piece.loops || position < piece.startSecs || position >= piece.endSecs) return true;
       const playing = this.#playing.get(keyOf(piece));
       return playing !== undefined && (playing.settled || performance.now() - playing.sinceMs > PATIENCE_MS);

@@ -62,7 +62,7 @@ export function hasAudio(): boolean {
 /** Starts a context; resolves with false if the browser requires a user action first. Call it directly from a click or key handler. */
 export async function wake(audio: AudioContext): Promise<boolean> {
   if (audio.state === 'running') return true;
-  // resume() stays pending until the user does something, so a refusal is a matter of time.
+  // resume() stays pending until a user activation, so only a timeout detects a refusal.
   const patience = navigator.userActivation?.hasBeenActive ? PATIENCE_MS : REFUSAL_MS;
   await Promise.race([audio.resume().catch(() => undefined), new Promise((done) => setTimeout(done, patience))]);
   return (audio.state as AudioContextState) === 'running';
@@ -88,9 +88,9 @@ export function latency({ outputLatency, baseLatency }: Pick<AudioContext, 'outp
 /** Returns the audible time of a context, seconds of its own clock. */
 export function heardOf(audio: AudioContext): number {
   const coarse = audio.currentTime - latency(audio);
-  // The time stamp is finer than currentTime, which moves in the device's steps; but some
-  // browsers leave it at zero or far off, and a device that stumbles leaves it behind: it
-  // is believed as far as a third of a step.
+  // The time stamp is finer than currentTime, which moves in steps of the device. Some browsers
+  // leave it at zero or far off, and a stuttering device leaves it behind: it is trusted within a
+  // third of a step.
   const stamp = audio.getOutputTimestamp();
   if (!stamp.contextTime || !stamp.performanceTime) return coarse;
   const fine = stamp.contextTime + (performance.now() - stamp.performanceTime) / 1000;

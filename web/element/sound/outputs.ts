@@ -71,7 +71,7 @@ export class FrameCallbacks {
     const now = performance.now();
     const frame = { presentationTime: now, expectedDisplayTime: now, width, height, mediaTime: secs, presentedFrames: this.#frames };
     this.#called = this.#callbacks;
-    // Those that are asked for meanwhile wait for the next one.
+    // Callbacks requested in the meantime wait for the next frame.
     this.#callbacks = new Map();
     for (const callback of this.#called.values()) callback(now, frame);
     this.#called.clear();
@@ -128,7 +128,7 @@ class Capture {
       if (stream.getTracks().length > 0 || (hasSound && !this.#isLive)) continue;
       for (const track of canvas?.captureStream(rate).getTracks() ?? []) stream.addTrack(track);
       const sound = hasSound ? voice?.track() : undefined;
-      // Others may hear the voice, too.
+      // Other outputs may use the voice, too.
       if (sound !== undefined) stream.addTrack(sound.clone());
     }
   }
@@ -160,7 +160,7 @@ class PictureInPicture {
 
 function makeVideo(root: ShadowRoot, capture: Capture, tell: (event: Event) => void): HTMLVideoElement {
   const video = document.createElement('video');
-  // It is only there for the window; the player itself is heard.
+  // The video exists only for the window; the player itself is audible.
   Object.assign(video, { muted: true, playsInline: true, srcObject: capture.open(undefined, false) });
   video.className = 'pip';
   video.setAttribute('aria-hidden', 'true');

@@ -87,8 +87,8 @@ export class SpokenSource {
 
   setVolume(volume: number): void {
     const muted = volume === 0;
-    // The present utterance keeps its loudness, which cannot be changed; but it ends at once when it
-    // is not to be heard, and is taken up at the present word when it is again.
+    // The current utterance keeps its volume, which cannot be changed. Muting ends it immediately;
+    // unmuting restarts it at the current word.
     if (muted && this.#volume > 0) this.#cancel();
     this.#volume = volume;
   }
@@ -110,8 +110,8 @@ export class SpokenSource {
   prepare(position: number): void {
     const rate = this.#rate;
     if (rate === undefined) return;
-    // A page that was busy for long may find that something was due and should be over by now:
-    // it is said as well, and waited for.
+    // A page that was busy for long may find an utterance that was due and should have ended: it is
+    // spoken as well, and the story waits for it.
     const from = Math.min(position, this.#from ?? position);
     this.#from = position;
     if (this.#now !== undefined || this.#volume === 0) return;
@@ -179,9 +179,9 @@ export class SpokenSource {
     this.#over.add(now.utterance);
     if (now.startedMs === undefined) return;
     const took = (performance.now() - now.startedMs) / 1000;
-    // The pauses of a word or two tell nothing.
+    // The pauses of one or two words are not significant.
     if (now.secs < 1 || took < 0.2) return;
-    // Half the way, so that one odd utterance does not turn the next one around.
+    // Moves half the way (geometric mean), so that one odd utterance does not reverse the next one.
     this.#pace = Math.min(PACE.max, Math.max(PACE.min, this.#pace * Math.sqrt(took / now.secs)));
   }
 

@@ -42,7 +42,8 @@ export function stretch(input: Float32Array, sampleRate: number, rate: number): 
   let taken = -step;
   for (let at = -step; at < length; at += step) {
     if (at >= 0) {
-      // Where the last window would go on by itself, and where the speed wants to be.
+      // Natural continuation of the last window, compared with the position that the speed
+      // requires.
       const natural = taken + step;
       const wanted = Math.round((at + step) * rate) - step;
       taken = Math.abs(natural - wanted) <= 1 ? natural : best(input, natural, wanted, search, size);

@@ -21,7 +21,7 @@ export class Arrival {
   /** Handles changed properties: loads the story, or changes the figure, as required. */
   change(changed: ReadonlyMap<PropertyKey, unknown>): void {
     const { player, show } = this.#context;
-    // A mind alone has a stage, too.
+    // A mind without a story has a stage, too.
     const minded = changed.has('mind') && !player.src && show === undefined;
     const replaced = minded || ['src', 'backend', 'assets'].some((name) => changed.has(name));
     const figure = (changed.has('figure') || changed.has('handedness')) && player.hasUpdated;

@@ -30,10 +30,10 @@ export function passTransport(context: PlayerContext, event: TransportEvent): vo
   }
   if (event === 'play') {
     context.started = true;
-    // What there is to read of an answer is said already, and more to the point.
+    // The feedback on an answer is announced already, and is more relevant.
     if (context.questioner.form.feedback === '') say(wordsFor(player).playing);
   }
-  // What is asked is said instead, with what there is to read of the answer before.
+  // The question is announced instead, with the feedback on the previous answer.
   if (event === 'pause' && context.questioner.lesson.asked === undefined) say(player.ended ? wordsFor(player).ended : wordsFor(player).paused);
   if (event === 'seeked') {
     const { picture } = context.show ?? {};

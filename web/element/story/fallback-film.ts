@@ -53,7 +53,7 @@ export class FallbackFilm {
   /** Falls back to the poster. */
   #miss(wanted: string): void {
     if (wanted !== this.#wanted) return;
-    // It stays the one that is wanted, so that it is not asked for again and again.
+    // The film stays selected, so that it is not requested repeatedly.
     this.#film?.close();
     this.#film = undefined;
     const message = `The film ${wanted} cannot be played; the story continues without a picture.`;

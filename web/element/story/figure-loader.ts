@@ -43,7 +43,7 @@ export class FigureLoader {
     const names = face === undefined ? [] : lendersOf(face);
     const library = libraryOf(this.#context.player);
     const files = names.map(async (name): Promise<[string, Uint8Array]> => {
-      // A look may come from a stranger's file: an address would be asked for.
+      // A look may come from an untrusted file: a URL would cause a request.
       if (!LIBRARY_NAME.test(name)) throw new PlayerError(`“${name}” is no name of hair of the library.`);
       const { glb } = await fetchFigure(name, library, { signal: new AbortController().signal, progress: () => undefined }, new URL(`hair/${name}.glb`, library));
       return [name, glb];
@@ -62,7 +62,7 @@ export class FigureLoader {
     try {
       const figure = await this.fetch(Promise.resolve(show.files.eml), Promise.resolve(show.picture.backend), { signal, progress: () => undefined });
       signal.throwIfAborted();
-      // The one who performs where the story's choice cannot is there already.
+      // The substitute for the figure that the story chose is already loaded.
       if (figure.name === show.figure && figure.handedness === show.files.figure.handedness) return;
       await this.#replace(show, figure, signal);
     } catch (error) {
@@ -81,11 +81,11 @@ export class FigureLoader {
     const { story, missing } = await show.picture.setFigure(figure);
     signal.throwIfAborted();
     Object.assign(show, { story, figure: figure.name, files: { ...show.files, figure } });
-    // What was live ended with the figure that did it.
+    // Live clauses ended with the figure that performed them.
     show.script.forget();
     show.captions = captionsOf(story.utterances, languageOf(player, story));
     updateMusic(this.#context, show);
-    // What was wrong with the figure before is gone with it.
+    // Diagnostics of the previous figure are removed with it.
     diagnostics.keepSound();
     for (const diagnostic of [...story.diagnostics, ...figure.diagnostics, ...missing]) diagnostics.report(diagnostic);
     say('Another storyteller is on stage');

@@ -75,7 +75,7 @@ export class FrameLoop {
       dispatch(player, 'durationchange');
     }
     const secs = show.transport.update();
-    // Where it was brought elsewhere, that is shown already.
+    // If the lesson has jumped elsewhere, that frame is shown already.
     const { questioner, started } = this.#context;
     if (started && !questioner.pass(show, secs, (to) => this.#pass(show, to))) return;
     const ms = performance.now();
@@ -89,7 +89,7 @@ export class FrameLoop {
     } else this.#pass(show, secs);
     this.#context.follow();
     this.#context.drawn(secs);
-    // A picture may have taken long; captions follow the sound.
+    // A frame may have taken long; captions follow the audio.
     const now = captionAt(show.captions, show.transport.position);
     if (now?.caption !== this.#caption?.caption || now?.word !== this.#caption?.word) {
       this.#caption = now;
@@ -106,7 +106,7 @@ export class FrameLoop {
   /** Runs the periodic work, a few times per second, with or without rendering. */
   #beat(): void {
     const { player, show } = this.#context;
-    // Pictures may come slowly; sound is not to wait for them.
+    // Frames may be slow; the audio does not wait for them.
     show?.voice.prepare(player.currentTime);
     if (!player.paused) dispatch(player, 'timeupdate');
     if (show !== undefined && show.voice.come !== this.#come) {

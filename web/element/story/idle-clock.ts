@@ -56,7 +56,7 @@ export class IdleClock {
   #frame(nowMs: number): void {
     this.#animation = requestAnimationFrame((now) => this.#frame(now));
     const since = nowMs - (this.#drawnMs ?? nowMs);
-    // How long the screen was held up.
+    // Measures the time for which the display was blocked.
     if (this.#measuring) {
       this.#measuring = false;
       this.#costMs = Math.max(since - SCREEN_MS, 0.8 * this.#costMs);
@@ -64,7 +64,7 @@ export class IdleClock {
     const pause = Math.min(MIN_SPEED_MS, Math.max(1000 / MAX_HZ, this.#costMs / MAX_SHARE));
     if (this.#drawnMs !== undefined && since < pause - 1) return;
     this.#drawnMs = nowMs;
-    // After a hidden page or a long task it goes on where it was.
+    // After a hidden page or a long task the story continues where it was.
     this.#waitedMs += Math.min(since, MIN_SPEED_MS);
     this.#draw();
     this.#measuring = true;

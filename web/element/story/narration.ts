@@ -128,7 +128,7 @@ export async function tellTo(stage: NarrationContext, words: Words, end: AbortSi
   } catch (error) {
     failure = { error };
   }
-  // A source that is not read to its end is let go; one that has failed has nothing to say about that.
+  // A source that is not read to its end is closed; errors of a failed source are ignored.
   pieces?.return?.().catch(() => undefined);
   for (const clause of cut(rest, true).clauses) await speaker.say(clause);
   await speaker.silence();

@@ -53,7 +53,7 @@ export function speakFragment(context: PlayerContext, show: Show, fragment: stri
     const source = await sourceOf(context, show);
     if (source === undefined || context.show !== show) return;
     const saying = { signal: show.end.signal, progress: progressOf(context), take: (said: SpokenAudio) => keep(context, show, said) };
-    // It joins what is there.
+    // The speech joins the existing bundle.
     await source.speak({ eml: fragment, fragment: true, ...asked(context, show, source, show.files.bundle) }, saying);
     if (show.files.bundle !== undefined) show.picture.updateBundle(show.files.bundle);
   })().catch((error: unknown) => {
@@ -66,7 +66,7 @@ export function speakFragment(context: PlayerContext, show: Show, fragment: stri
 async function sourceOf(context: PlayerContext, show: Show): Promise<SpeechSource | undefined> {
   if (context.player.speech === 'browser') return undefined;
   const { diagnostics, player } = context;
-  // Each fragment looks for it.
+  // Each fragment looks for the problem.
   const report = (problem: Diagnostic) => {
     if (context.show === show && diagnostics.list.every(({ code }) => code !== problem.code)) diagnostics.report(problem);
   };
@@ -100,10 +100,10 @@ async function speakHere(context: PlayerContext, show: Show, retell: (story: Sto
     if (!show.telling.isOver && !player.paused && show.speaking !== undefined) show.voice.hold(show.speaking);
     return;
   }
-  // Nobody waits for a text that is not on stage any more.
+  // A text that has left the stage is no longer awaited.
   show.telling?.end.abort();
   const telling: Narration = { of, end: new AbortController(), isOver: false };
-  // The text before was not heard; who speaks this one is not known yet.
+  // The previous text was not spoken; the voice of this text is not known yet.
   if (show.telling !== undefined) show.unheard = false;
   show.telling = telling;
   const before = show.speaking;
@@ -114,7 +114,7 @@ async function speakHere(context: PlayerContext, show: Show, retell: (story: Sto
     const isWanted = () => context.show === show && show.telling === telling && spokenBy(show) === of;
     if (!isWanted()) return;
     if (source !== undefined && player.paused && !source.ready) {
-      // It is asked again when it is played.
+      // Playback requests it again.
       show.telling = undefined;
       return;
     }
@@ -134,7 +134,7 @@ async function tell(context: PlayerContext, show: Show, source: SpeechSource, { 
   let isFirst = true;
   const take = (said: SpokenAudio) => {
     if (!isWanted()) return;
-    // What was spoken before is of another text, or of another figure's voice.
+    // Earlier speech belongs to another text, or to the voice of another figure.
     if (isFirst) show.voice.forget();
     isFirst = false;
     keep(context, show, said);

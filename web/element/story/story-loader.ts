@@ -333,7 +333,7 @@ export class StoryLoader {
     context.keepTime();
     this.#comeBack();
     const show = await this.require();
-    // The one that came last is being read already.
+    // The latest text is loading already.
     if (text !== context.text || show !== context.show) return context.diagnostics.list;
     const story = show.picture.rehearse(text, motion, roomy);
     if (story === undefined) return [ABSENT];
@@ -376,7 +376,7 @@ export class StoryLoader {
   /** Unloads the story; the picture is kept for the next. */
   close(): void {
     const { player, diagnostics } = this.#context;
-    // What is not told yet is of a story that goes.
+    // Unreported events belong to the story that is replaced.
     takeBack(player);
     const { network } = this;
     const isUnderWay = network === 'loading' || this.#waits;

@@ -1,6 +1,7 @@
 #!/usr/bin/env node
-// Copies what a page serves into a folder: of the library the stories and figures that are chosen, with what they use; of the player
-// what a page's build may leave behind, its modules and workers; and the files of installed voices.
+// Copies the files that a page serves into a folder: the chosen stories and figures of the library,
+// with the files that they use; the modules and workers of the player that a page's build may omit;
+// and the files of installed voices.
 
 import { cpSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';

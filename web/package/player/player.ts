@@ -11,5 +11,5 @@ export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from '../.
 export { openFaces } from '../../element/face/open-faces.js';
 export * from '../../element/base/types.js';
 
-// Where the library is, a page says by the attribute `assets`.
+// A page specifies the location of the library with the attribute `assets`.
 register();

@@ -14,7 +14,7 @@ const found = new Map<string, Promise<SpeechSource | Diagnostic>>();
 
 async function look(address: string): Promise<SpeechSource | Diagnostic> {
   try {
-    // A file that the page serves, of which its own build knows nothing.
+    // A file that the page serves and that its own build does not know.
     const { flite } = (await import(/* @vite-ignore */ /* webpackIgnore: true */ /* turbopackIgnore: true */ address)) as { flite: SpeechSource };
     return flite;
   } catch (error) {

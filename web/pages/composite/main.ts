@@ -6,7 +6,7 @@ import { register } from '../../composite/register.js';
 register('../assets/');
 const editor = document.querySelector('raconteur-composite');
 if (editor === null) throw new Error('the page has no editor');
-// The editor hears what is pressed in it; here nothing else can be undone.
+// The editor handles the keys pressed in it; nothing else on this page can be undone.
 onUndoKeys(
   () => editor.undo(),
   () => editor.redo(),
@@ -20,6 +20,6 @@ editor.ready.then(
   () => {
     editor.dataset['ready'] = '';
   },
-  // The editor shows what is wrong.
+  // The editor shows the problems.
   () => undefined,
 );

@@ -75,7 +75,8 @@ export class App extends PageState<State> {
       join();
     });
     b.player.addEventListener('loadedmetadata', join);
-    // Whoever waited for a voice has fallen behind; once, since each jump may take as long again.
+    // A player that waited for a voice has fallen behind; it seeks once, because each seek may take
+    // as long again.
     b.player.addEventListener('playing', () => {
       if (isNew) join();
       isNew = false;

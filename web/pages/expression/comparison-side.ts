@@ -41,7 +41,7 @@ export class ComparisonSide {
     const { paused, currentTime, playbackRate } = player;
     this.#keepStill();
     this.#shown = player.textContent = this.#wanted;
-    // The player has seen its new text by then.
+    // The player has its new text by then.
     queueMicrotask(() => {
       player.currentTime = paused ? SHOWN_SECS : currentTime;
       player.playbackRate = playbackRate;

@@ -22,7 +22,7 @@ const stages: Readonly<Record<Side, HTMLElement>> = { a: byId('a'), b: byId('b')
 const places = { bench: byId('bench'), setting: byId('setting'), rules: byId('rules') };
 let toldMs = 0;
 
-// Before the shell takes the file from its input.
+// This listener runs before the shell takes the file from its input.
 const own = byId('own-figure') as HTMLInputElement;
 const give = (file: File | undefined): void => {
   if (file !== undefined) app.sittings.b.player.useFigure(file);

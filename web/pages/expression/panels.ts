@@ -72,7 +72,7 @@ export function rules(app: App): TemplateResult {
     const { expressed } = player;
     if (expressed === undefined) return nothing;
     const heading = compares ? html`<h3>${SIDES[side]}</h3>` : nothing;
-    // Who listens hears what a control has changed, and not each number of what plays.
+    // Screen readers announce the changes of a control, but not every number during playback.
     return html`<div>${heading}<ul aria-live=${player.paused ? 'polite' : 'off'}>${rulesOf(expressed, settingOf(app.state, side)).map(rule)}</ul></div>`;
   };
   return html`<div class="lists">${app.shown.map(list)}</div>`;

@@ -62,7 +62,8 @@ export function disc(app: App): TemplateResult {
     follow(event, frame, move, () => app.done());
   };
   const key = (event: KeyboardEvent): void => {
-    // Keys may come faster than the page is drawn: the place of now, not the one drawn last.
+    // Keys may repeat faster than the page renders, so the current position is used, not the
+    // rendered one.
     const { emotion } = app.state;
     if (event.key === 'Home') to({ ...NEUTRAL });
     else {

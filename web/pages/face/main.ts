@@ -43,7 +43,7 @@ const shell = new Shell<State, Tab>(app, {
     render(strip(app, drawn), places.strip);
     follow(places.strip, player);
   },
-  // While the clock runs, the line of the present goes along.
+  // While the story plays, the line of the current time moves.
   keepUp: () => follow(places.strip, player),
 });
 
@@ -55,7 +55,7 @@ function centreSoon(): void {
 player.addEventListener('durationchange', () => (drawn = measure(app)));
 // A figure of another height has its head elsewhere.
 player.addEventListener('figurechange', centreSoon);
-// Another size of the picture takes another shot.
+// Another size of the stage needs another shot.
 new ResizeObserver(centreSoon).observe(player);
 lookAround(app.view, byId('pad'));
 void shell.open(() => app.view.look({}), centreSoon);

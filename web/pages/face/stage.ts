@@ -13,7 +13,8 @@ export function views(app: App): TemplateResult {
   const turn = (key: keyof Layers): void =>
     app.set((s) => {
       s.layers[key] = !s.layers[key];
-      // Something is always there: who takes the skin away sees muscles, and the other way round.
+      // At least one layer is always visible: hiding the skin shows the muscles, and the other way
+      // round.
       if (!Object.values(s.layers).some(Boolean)) s.layers[key === 'skin' ? 'muscles' : 'skin'] = true;
     });
   return html`${lookFrom(app.view)}

@@ -45,7 +45,7 @@ const n = (value: number): string => value.toFixed(1);
 function hill(segment: Segment, secs: number, most: number): TemplateResult | typeof nothing {
   const points: string[] = [];
   const step = 0.01;
-  // As far as it is seen to either side.
+  // Extends as far as it is visible on either side.
   const reach = (rate: number): number => (rate > 0 ? Math.log(Math.max(1, segment.alpha / (FAINT * most))) / rate : 0);
   const from = Math.max(0, segment.held[0] - reach(segment.rates[0]));
   const to = Math.min(secs, segment.held[1] + reach(segment.rates[1]));

@@ -186,16 +186,16 @@ export class App {
     this.#rehearsing = true;
     try {
       while (this.#rehearsed !== this.editor.text) {
-        // One for each picture is enough.
+        // One for each frame is enough.
         await new Promise(requestAnimationFrame);
         const text = this.editor.text;
         this.diagnostics = await this.player.rehearse(text);
         this.#rehearsed = text;
-        // Places are of the text that was read; another one is read next.
+        // Positions refer to the text that was loaded; if it changed, the next one loads later.
         if (text === this.editor.text) this.editor.show(this.diagnostics);
       }
     } catch {
-      // The player says itself what is wrong; "Try again" comes back with the text.
+      // The player itself shows the problem; "Try again" starts again with the text.
       this.#rehearsed = undefined;
     } finally {
       this.#rehearsing = false;

@@ -84,7 +84,7 @@ export function setValue(gesture: Gesture, keys: readonly Key[], value: Value): 
 export function setKeyTime(phase: Phase, key: Key, secs: number): Change[] {
   const kept = Math.min(phase.durationSecs, Math.max(0, secs));
   const time = key.written === 'percent' && phase.durationSecs > 0 ? `${written((100 * kept) / phase.durationSecs, 1)}%` : written(kept);
-  // Before the rest, where people look for it.
+  // Placed before the other attributes, at the usual position.
   if (key.written !== 'nothing') return setAttribute(key.element, 'time', time);
   const at = key.element.from + 1 + key.element.name.length;
   return [{ from: at, to: at, insert: ` time="${time}"` }];
@@ -101,7 +101,7 @@ export function addKey(text: string, gesture: Gesture, phase: Phase, feature: Fe
     const name = TRACK_NAMES[feature];
     return [...changes, insertInto(text, phase.element, `<${name}${own}>\n  ${key}\n</${name}>`, before?.element)];
   }
-  // The others keep their implicit times.
+  // The other keys keep their implicit times.
   const others = track.keys.filter((k) => k.written === 'nothing').flatMap((k) => setKeyTime(phase, k, k.secs));
   const next = track.keys.find((k) => k.secs > secs + 1e-6);
   return [...changes, ...others, insertInto(text, track.element, key, next?.element)];
@@ -152,14 +152,14 @@ export function ownTime(phase: Phase): number | undefined {
 export function setHands(text: string, gesture: Gesture, phase: Phase, wanted: Handedness): Change[] {
   const { prefix } = gesture;
   const changes = setAttribute(phase.element, 'handedness', wanted === 'apart' ? 'both' : wanted);
-  // The hand whose tracks are the pattern for what comes.
+  // Hand whose tracks are the pattern for the new ones.
   const pattern: Hand = phase.hands === 'left' ? 'left' : 'right';
   for (const feature of FEATURES) {
     const tracks = phase.tracks.filter((t) => t.feature === feature);
     if (wanted === 'apart') {
       const common = tracks.find((t) => t.hand === undefined);
       if (common === undefined) continue;
-      // A hand without a track of its own gets the mirror image of the other's.
+      // A hand without a track of its own mirrors the track of the other hand.
       changes.push(...setAttribute(common.element, 'hand', pattern));
       const other: Hand = pattern === 'right' ? 'left' : 'right';
       if (!tracks.some((t) => t.hand === other)) changes.push(copyTrack(text, phase, common, other, prefix));

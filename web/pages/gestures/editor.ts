@@ -94,7 +94,8 @@ export class Editor {
     const steps = new Steps();
     const root = host.attachShadow({ mode: 'open' });
     const parent = document.createElement('div');
-    // The sheet of a shadow root may not come from an inline style, but from the object model.
+    // The style sheet of a shadow root may not be an inline style under the policy, but may be set
+    // through the object model.
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(':host { display: block } div:first-child { height: 100% }');
     root.adoptedStyleSheets.push(sheet);
@@ -112,7 +113,7 @@ export class Editor {
           indentOnInput(),
           bracketMatching(),
           highlightActiveLine(),
-          // Who ends an element by hand finds no second end behind it.
+          // An author who closes an element by hand gets no second end tag.
           xml({ autoCloseTags: false }),
           syntaxHighlighting(colours),
           lintGutter(),

@@ -34,7 +34,7 @@ export const lineNumbers: Extension = [
   ),
   EditorView.theme({
     '.cm-line': { position: 'relative', paddingLeft: '4.5ch' },
-    // The empty text is what screen readers hear of it.
+    // The empty text is the alternative for screen readers.
     '.cm-line::before': { content: 'attr(data-line) / ""', position: 'absolute', left: '0', width: '3ch', textAlign: 'end', color: '#9d8d9b' },
   }),
 ];

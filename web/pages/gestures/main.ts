@@ -156,7 +156,7 @@ function problems(): TemplateResult {
     </ul>`;
 }
 
-// Undo and redo are of the whole page: what a control did is in the same list as what was typed.
+// Undo and redo apply to the whole page: changes by controls and typed changes share one list.
 onUndoKeys(
   () => app.editor.undo(),
   () => app.editor.redo(),
@@ -178,7 +178,7 @@ async function open(): Promise<void> {
   await app.rehearse();
   const tab = app.tab;
   app.selectTab(tab);
-  // The first picture should not show a blink.
+  // The first frame should not show a blink.
   const open = openEyesAt(player, player.currentTime);
   if (open !== player.currentTime) player.currentTime = open;
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) return;

@@ -7,7 +7,7 @@ export function remember(text: string): void {
   try {
     sessionStorage.setItem(KEY, text);
   } catch {
-    // A full or forbidden store loses only what a reload would have brought back.
+    // Without storage (full or forbidden) only the restoration after a reload is lost.
   }
 }
 

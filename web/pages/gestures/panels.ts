@@ -123,7 +123,8 @@ function adding(app: App, phase: Phase, feature: Feature, key: Key | undefined):
   const start = phase.startSecs ?? 0;
   const within = Math.min(phase.durationSecs, Math.max(0, Math.round((app.secs - start) * 100) / 100));
   const taken = app.track(feature)?.keys.some((k) => Math.abs(k.secs - within) < 0.02);
-  // At a key that is there, the next goes to the end, or half-way back to the one before.
+  // If the time already has a key, the next key goes to the end, or half-way back to the previous
+  // one.
   const last = app.track(feature)?.keys.at(-1)?.secs ?? 0;
   const secs = !taken ? within : last < phase.durationSecs - 0.02 ? phase.durationSecs : Math.round(50 * (within === 0 ? last : within)) / 100;
   const add = (): void => {

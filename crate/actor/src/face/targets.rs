@@ -71,7 +71,7 @@ impl MorphTarget {
     pub(super) const OF_TONGUE: [Self; 2] = [T::TongueUp, T::TongueOut];
 }
 
-/// ARKit's names without `Left` and `Right`, in the order of [`Target`]; the tongue's first
+/// ARKit's names without `Left` and `Right`, in the order of [`MorphTarget`]; the tongue's first
 /// is our own.
 pub(super) const NAMES: [&str; T::COUNT] = [
     "jawOpen",

@@ -1,6 +1,6 @@
 //! Time functions for the motion of limbs and whole figures (GEVH D.1.6 and D.3.23).
 //!
-//! A [`Path`] is the path as scripted; [`Curve`] fills its open values from the limb's current
+//! A [`Path`] is the path as scripted; [`TimedPath`] fills its open values from the limb's current
 //! position. Curves begin and, unless they loop, end at rest.
 
 use core::f64::consts::TAU;

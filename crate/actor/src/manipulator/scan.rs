@@ -1,5 +1,5 @@
 //! Samples limbs at even times when a script is compiled, and records a path through the joints
-//! where the targets would make them snap ([`super::steady`]).
+//! where the targets would make them snap ([`super::smoothing`]).
 
 use super::aim::FORCED;
 use super::perform::Manipulators;

@@ -60,7 +60,7 @@ pub struct FragmentOutcome {
     pub clauses: Vec<LiveClause>,
     /// The utterances, by start.
     pub utterances: Vec<UtteranceCue>,
-    /// The index of the first of [`Performed::utterances`].
+    /// The index of the first of [`FragmentOutcome::utterances`].
     pub first_utterance: usize,
     /// Questions, by time; the sender of the fragment performs the reactions to the answers.
     pub questions: Vec<QuestionCue>,

@@ -20,7 +20,7 @@ const BODY_SECS: f64 = 0.4;
 const FACE_SECS: f64 = 0.12;
 /// Cross-fade of the framing, seconds. Designed: a calm zoom.
 const ROOM_SECS: f64 = 1.2;
-/// Maximum number of stored actors: as many as can be active together at [`Layers::APART_SECS`],
+/// Maximum number of stored actors: as many as can be active together at [`ActorCrossfade::APART_SECS`],
 /// and one for a seek back to before them.
 const MAX_ACTORS: usize = 4;
 

@@ -122,7 +122,7 @@ pub struct Player {
 }
 
 impl Player {
-    /// Reads a story and prepares its performance. Never fails; see [`Loaded::diagnostics`].
+    /// Reads a story and prepares its performance. Never fails; see [`LoadedPlayer::diagnostics`].
     #[must_use]
     pub fn load(input: StoryInput<'_>) -> LoadedPlayer {
         Self::load_with_progress(input, &mut |_| ())

@@ -1,9 +1,9 @@
 //! Hair: guides that grow along a combing field, gather in locks and become narrow cards of strands
 //! in several layers, over a scalp painted in the hair's colour.
 //!
-//! A style is a table of numbers ([`style`]) in a normalised frame of the head ([`space`]). The
+//! A style is a table of numbers (`style`) in a normalised frame of the head (`space`). The
 //! renderer draws the strands on the cards from its own atlas; the light within the hair is baked
-//! here ([`light`]).
+//! here (`light`).
 
 mod beard;
 mod cap;

@@ -226,7 +226,7 @@ impl ModelHeadShape {
             .collect()
     }
 
-    /// Builds the head from the output of [`Self::numbers`]; `None` if the count differs.
+    /// Builds the head from the output of [`Self::flat_coordinates_mm`]; `None` if the count differs.
     #[must_use]
     pub fn from_numbers(numbers: &[f64]) -> Option<Self> {
         let keys = keys();

@@ -31,7 +31,7 @@ pub(crate) struct SkinMaps {
     pub(crate) colour: Image,
     /// Tangent space, glTF's convention.
     pub(crate) normal: Image,
-    /// Heights as [`Maps::wrinkles`](raconteur_body::figure::Maps::wrinkles) has them.
+    /// Heights as [`Maps::wrinkles`](raconteur_body::figure::TextureMaps::wrinkles) has them.
     pub(crate) wrinkles: Image,
 }
 

@@ -2,7 +2,7 @@
 //! own coordinates and perpendicular to the pull of the muscle.
 //!
 //! Three kinds, one per channel of the map, so that adjacent muscles fold separately: see
-//! [`Maps::wrinkles`](raconteur_body::figure::Maps::wrinkles). Positions of lines: Pessa and
+//! [`Maps::wrinkles`](raconteur_body::figure::TextureMaps::wrinkles). Positions of lines: Pessa and
 //! Rohrich, "Facial Topography", 2012. Depths *designed*: a child's skin folds little, an old man's
 //! to most of a millimetre, in folds wider than the permanent fine lines.
 

@@ -22,11 +22,11 @@ const PLAY_M: f64 = 0.0005;
 pub struct HairChain {
     /// Joints from the root, then the end; metres.
     pub points: Vec<DVec3>,
-    /// Stiffness, defined as in [`Link`](raconteur_body::springs::Link).
+    /// Stiffness, defined as in [`Link`](raconteur_body::springs::SpringLink).
     pub stiffness: f64,
-    /// Downwards; as in [`Link`](raconteur_body::springs::Link).
+    /// Downwards; as in [`Link`](raconteur_body::springs::SpringLink).
     pub gravity: f64,
-    /// Drag, defined as in [`Link`](raconteur_body::springs::Link).
+    /// Drag, defined as in [`Link`](raconteur_body::springs::SpringLink).
     pub drag: f64,
 }
 

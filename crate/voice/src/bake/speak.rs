@@ -370,7 +370,7 @@ impl SpeakerVoice {
     }
 
     /// Plays the sound faster, which makes the mouth smaller, the pitch higher and the words
-    /// shorter; the last two are made good again by [`Voicing::applied`].
+    /// shorter; the last two are made good again by [`SpeakerVoice::applied`].
     fn resize(&self, spoken: &mut Spoken) {
         if self.resonance == 1.0 {
             return;

@@ -74,7 +74,7 @@ pub trait Host: Send + Sync {
 /// Output of the Kokoro network for one text: speech and the durations of its letters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Output {
-    /// Mono, −1 to 1, [`RATE_HZ`].
+    /// Mono, −1 to 1, 24 kHz.
     pub samples: Vec<f32>,
     /// Duration of each letter, and of the padding before and after them, in any unit.
     pub frames: Vec<f32>,

@@ -1,5 +1,5 @@
 //! Script for Festival. Texts are untrusted: they appear in it only as string literals.
-//! Pronunciations are written only in the names of [`super::ipa`].
+//! Pronunciations are written only in the names of [`crate::ipa`].
 
 use core::fmt::Write as _;
 
