@@ -22,7 +22,7 @@ export function zoomByWheel(pad: HTMLElement, it: ZoomRange): void {
   pad.addEventListener(
     'wheel',
     (event) => {
-      // The page scrolls unless the picture is in use.
+      // The page scrolls unless the pad has the focus.
       if (!event.ctrlKey && !pad.matches(':focus')) return;
       event.preventDefault();
       it.look({ zoom: it.zoom * Math.exp(-event.deltaY * 0.0015) });

@@ -117,10 +117,10 @@ export abstract class PageState<S extends object> {
         this.#behind = false;
         this.diagnostics = await this.player.rehearse(this.eml);
       } while (this.#behind);
-      // Who changes a standing picture wants to see where it leads.
+      // A user who edits a paused figure wants to see the final state.
       if (this.showsEnd && this.player.paused && this.player.currentTime < SETTLED_SECS) this.player.currentTime = SETTLED_SECS;
     } catch {
-      // The player shows what is wrong; where another story took the place of the one that was read, its text follows.
+      // The player shows the problems. If another story replaced the loaded one, its text follows.
     }
     this.#reading = false;
     this.read();

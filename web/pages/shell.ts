@@ -59,7 +59,7 @@ export class Shell<S extends object, T extends string> {
       });
     });
     byId('download').addEventListener('click', () => this.say(`${saveScript(this.#app.eml, 'raconteur')} is saved.`));
-    // Who types undoes letters.
+    // In a text field, undo applies to letters.
     onUndoKeys(
       () => this.#app.undo(),
       () => this.#app.redo(),

@@ -117,7 +117,7 @@ const escaped = (value: string): string => value.replace(/&/g, '&amp;').replace(
 export function setAttribute(element: Element, name: string, value: string | undefined): Change[] {
   const present = element.attributes.find((a) => a.name === name);
   if (present !== undefined) {
-    // The space before goes with it.
+    // The preceding space is removed too.
     if (value === undefined) return [{ from: present.from - 1, to: present.to, insert: '' }];
     return value === present.value ? [] : [{ from: present.valueFrom, to: present.valueTo, insert: escaped(value) }];
   }

@@ -44,7 +44,8 @@ export function styleFor(voice: Float32Array, tokens: number): Float32Array {
 export async function openModel(folder: URL): Promise<Model> {
   const here = (address: string) => new URL(address, SCRIPT).href;
   ort.env.wasm.wasmPaths = { mjs: here(glueUrl), wasm: here(wasmUrl) };
-  // Threads share memory, which a page may only when it is isolated from others. ONNX Runtime starts them by plain addresses.
+  // Threads share memory, which requires a cross-origin isolated page. ONNX Runtime starts them by
+  // plain URLs.
   ort.env.wasm.numThreads = self.crossOriginIsolated && trustOwnScripts() ? THREADS : 1;
   const session = await ort.InferenceSession.create(await fetchBytes(new URL('model.onnx', folder), voiceFile), { executionProviders: ['wasm'] });
   return {

@@ -11,7 +11,7 @@ export function tag(name: string, attributes: Readonly<Record<string, string | n
   const head = `<${name}${written.join('')}`;
   if (children.length === 0) return `${head}/>`;
   const [only = ''] = children;
-  // What one sees at a glance stands on one line.
+  // Short elements are written on one line.
   if (children.length === 1 && name === 'tracks') return `${head}>${only}</${name}>`;
   return `${head}>${children.map((child) => `\n${child.replace(/^/gm, '  ')}`).join('')}\n</${name}>`;
 }

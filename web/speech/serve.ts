@@ -90,7 +90,7 @@ export function serve(engine: string, open: () => Promise<Host>): void {
       while (!stopped.has(id) && speaker.step(saying)) {
         const wanted = host.pending();
         if (wanted !== undefined) {
-          // What is not wanted any more does not keep the next text waiting.
+          // A cancelled request does not delay the next text.
           await Promise.race([wanted, new Promise<void>((done) => (stop = done))]);
           if (stopped.has(id)) host.forget?.();
           continue;

@@ -35,7 +35,7 @@ export async function openWorker(address: string, { name = '', folder }: WorkerL
   origins.add(new URL(SCRIPT).origin);
   const policy = common('policy', () => trustedTypes?.createPolicy('raconteur', rules));
   const href = startOf(await placeOf(new URL(address, SCRIPT), folder));
-  // The type of workers' constructors does not know trusted addresses.
+  // The type of worker constructors does not include trusted URLs.
   return new Worker((policy?.createScriptURL(href) ?? href) as string, { type: 'module', name });
 }
 

@@ -31,7 +31,7 @@ it('a hidden page is drawn four times a second, and often enough where it is wat
     return pictures;
   };
   pulse.keep(true, true);
-  // The screen asks for pictures itself.
+  // The screen itself requests frames.
   expect([inASecond(), frames.length]).toEqual([0, 1]);
   page.hidden = true;
   expect(inASecond()).toBe(4);

@@ -63,7 +63,7 @@ describe('fetching animations', () => {
     const here = new Animations(library, story, new AbortController().signal);
     await here.fetch(first.engine);
     here.provide(first.engine, '');
-    // The engine reports it, and the same story does not ask again.
+    // The engine reports it, and the same story does not request it again.
     expect([...first.given]).toEqual([['lost', '']]);
     expect(here.fetch(engine('lost').engine)).toBeUndefined();
     server.set('lost.json', new Response('{}'));

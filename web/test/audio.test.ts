@@ -80,11 +80,11 @@ test('what is interrupted fades out within 60 ms, what has not begun is not hear
   expect(cut?.fades).toHaveLength(1);
   const [{ at, constant } = { at: 0, constant: 1 }] = cut?.fades ?? [];
   expect(at).toBeCloseTo(103.5);
-  // What is left after 60 ms is not heard as a click.
+  // The remainder after 60 ms is not audible as a click.
   expect(Math.exp(-0.06 / constant)).toBeLessThan(0.01);
   expect(cut?.stop).toBeGreaterThan(at + 0.06);
   expect(dropped?.stop).toBeLessThan(dropped?.start ?? 0);
-  // Nothing is planned twice, and a seek back hears the same.
+  // Nothing is scheduled twice, and seeking back plays the same audio.
   voice.prepare(4.5);
   expect(heard()).toHaveLength(3);
   voice.start(3.2, 1, 100);

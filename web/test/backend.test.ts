@@ -8,7 +8,7 @@ afterEach(() => vi.unstubAllGlobals());
 test('a graphics card draws by WebGPU', async () => {
   answer(async () => ({ info: { architecture: 'ampere', description: '' } }));
   expect(await chooseBackends()).toEqual(['webgpu', 'webgl']);
-  // Some tell nothing at all.
+  // Some engines report nothing.
   answer(async () => ({}));
   expect(await chooseBackends()).toEqual(['webgpu', 'webgl']);
 });

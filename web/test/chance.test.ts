@@ -53,7 +53,7 @@ function pooled(count: number): { questions: Question[]; ways: FlowEntry[] } {
   for (let i = 0; i < 5; i += 1) {
     const [order, atSecs] = [10 + 3 * i, 10 + 3 * i];
     ways.push({ kind: 'item', pool: 9, order, atSecs, endSecs: atSecs + 3 });
-    // Some are asked on a way within.
+    // Some questions are asked on a nested path.
     if (i % 2 === 0) questions.push(question(`q${i}`, order, { within: order, atSecs: atSecs + 1, endSecs: atSecs + 2, points: 2 }));
     else {
       ways.push({ kind: 'if', name: 'score', above: -1, order: order + 1, within: order, atSecs, endSecs: atSecs + 3 });
@@ -103,12 +103,12 @@ describe('A pool', () => {
       expect(asked.slice(0, 2)).toEqual([...asked.slice(0, 2)].sort());
       expect(l.score).toEqual({ points: 5, most: 5 });
       for (const name of asked) times.set(name, (times.get(name) ?? 0) + 1);
-      // Nothing is seen of the others, and nobody has to see it.
+      // The other items are not shown, and nobody is required to see them.
       for (let i = 0; i < 5; i += 1) {
         const isSeen = shown.some((secs) => secs > 10 + 3 * i && secs < 13 + 3 * i);
         const isOptional = l.optional.some(([from, to]) => from <= 10 + 3 * i && to >= 13 + 3 * i);
         const isAsked = asked.includes(`q${i}`);
-        // What has a condition is so in any case.
+        // An item with a condition is optional in any case.
         expect([isSeen, isOptional]).toEqual([isAsked, !isAsked || i % 2 === 1]);
       }
     }
@@ -124,7 +124,7 @@ describe('A pool', () => {
     expect(seeds.size).toBe(20);
     first.clear();
     expect(seeds.has(first.seed)).toBe(false);
-    // What is no seed changes nothing.
+    // An invalid seed has no effect.
     const { seed } = again;
     for (const wrong of [-1, 0.5, 2 ** 32, '7', null]) again.restore({ seed: wrong });
     expect(again.seed).toBe(seed);
@@ -134,12 +134,12 @@ describe('A pool', () => {
     for (let seed = 0; seed < 50; seed += 1) {
       const l = lesson(0, seed);
       l.pass(9);
-      // A picture that takes three seconds.
+      // A frame that takes three seconds.
       let turn = l.pass(13.4);
       expect(turn).toMatchObject({ kind: 'leap', toSecs: 13 });
       turn = l.pass(16.6);
       expect(turn).toMatchObject({ kind: 'leap', toSecs: 16 });
-      // Who seeks is not brought back.
+      // A seek by the user does not jump back.
       const sought = lesson(0, seed);
       sought.seek(25.5);
       expect(sought.pass(25.5)).toEqual({ kind: 'go' });

@@ -117,7 +117,7 @@ test('what a layman types is found first', () => {
 test('a whole word is no beginning of another, accents and cases make no difference', () => {
   expect(all('scar')).toEqual(['mark scar']);
   expect(all('SCARED')).toContain('feature scared');
-  // Who has not typed to the end finds both.
+  // An incomplete word matches both.
   expect(all('sca')).toEqual(expect.arrayContaining(['mark scar', 'feature scared', 'worn headscarf']));
   expect(all('oculos')).toEqual(all('Óculos'));
   expect(all('grosse nase')).toEqual(all('große Nase'));
@@ -161,7 +161,7 @@ test('every feature, style, thing worn, mark and panel has words in three langua
   ];
   const known = rows.map(({ thing }) => thing as string);
   expect(new Set(known).size).toBe(known.length);
-  // Hair has no words of its own where its name says all.
+  // Hair styles have no terms of their own if their name is sufficient.
   for (const thing of there.filter((one) => !/^(hair|beard) /.test(one))) expect(known).toContain(thing);
   for (const thing of known.filter((one) => !/^(style|tab|light) /.test(one))) expect(there).toContain(thing);
   for (const line of table.split('\n').slice(1, -1)) expect(line.split('\t'), line).toHaveLength(5);

@@ -138,7 +138,7 @@ test('what is alike before two places and hangs together with the middle is the 
   const [width, height] = [9, 9];
   const at = (of: (x: number, y: number) => number) => Uint8ClampedArray.from({ length: 4 * width * height }, (_, i) => of(Math.floor(i / 4) % width, Math.floor(i / 4 / width)));
   const isHead = (x: number, y: number): boolean => x >= 3 && x <= 5 && y >= 2;
-  // An eye mirrors the place, and one spot of the two places happens to be alike.
+  // An eye reflects the stage, and one spot happens to be alike on both stages.
   const one = at((x, y) => (isHead(x, y) && !(x === 4 && y === 5) ? 120 : 20));
   const other = at((x, y) => (isHead(x, y) && !(x === 4 && y === 5) ? 123 : x === 0 && y === 0 ? 20 : 90));
   one.set(one.subarray(0, 4), 4 * (5 * width + 4));

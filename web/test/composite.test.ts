@@ -116,7 +116,7 @@ test('what nobody does by hand is refused by its name', () => {
   for (const [act, fault] of hostile) expect(() => History.read({ ...good, steps: [...good.steps, { parent: 0, act }] }, pack)).toThrow(fault);
   const many = [...good.steps, ...Array.from({ length: 1_000_000 }, (_, i) => ({ parent: i, act: add(0) }))];
   expect(() => History.read({ ...good, steps: many }, pack)).toThrow('This session has 1000001 steps, more than 10000.');
-  // What is made by hand is within the limits.
+  // Sessions made by hand are within the limits.
   const most = Array.from({ length: LIMITS.steps - 1 }, (_, i) => ({ parent: i, act: add(i % 2 === 0 ? 3 : -3) }));
   expect(History.read({ ...good, steps: [...good.steps, ...most] }, pack).steps).toHaveLength(LIMITS.steps);
 });

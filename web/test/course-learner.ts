@@ -8,7 +8,7 @@ import { Ranges, united, type Span } from '../element/base/ranges.js';
 import type { Question } from '../element/base/questions.js';
 import type { PlayerState } from '../element/base/types.js';
 
-// Node takes more listeners of one signal for a leak; browsers do not.
+// Node reports more listeners on one signal as a leak; browsers do not.
 setMaxListeners(50);
 
 export class FakePlayer extends EventTarget {

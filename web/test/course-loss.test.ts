@@ -122,7 +122,7 @@ function store(isCmi5: boolean): World {
     },
     kill: () => void (isGone.now = true),
     score: () => {
-      // What was refused comes later than it was said.
+      // A rejected statement arrives later than its timestamp.
       const inTime = told().sort((a, b) => a.timestamp.localeCompare(b.timestamp));
       const scores = inTime.flatMap((it) => (verbOf(it) === 'answered' ? [] : ((it.result?.['score'] as { raw?: number } | undefined)?.raw ?? [])));
       return scores.at(-1) ?? 0;
@@ -183,13 +183,13 @@ async function visit(next: Next, world: World, kept: Shelf, truth: Map<string, n
     await vi.advanceTimersByTimeAsync(200_000);
     await settled();
   }
-  // What was answered before is there again: nobody is asked twice, and no point is gone.
+  // The earlier answers are restored: no question is asked twice, and no point is lost.
   if (isLast) expect(player.score.points).toBe([...truth.values()].reduce((sum, points) => sum + points, 0));
   if (isLast || next() < 0.5) {
     listeners.dispatchEvent(new Event('pagehide'));
     await settled();
   }
-  // A page that is gone does nothing any more.
+  // A page that was killed does nothing more.
   world.kill();
   const now = Date.now();
   vi.clearAllTimers();

@@ -161,7 +161,7 @@ describe('An answer', () => {
       ['matching', 'x[.]y[,]y[.]x', ['x[.]x[,]y[.]y']],
     ],
     [
-      // One that is to be left alone.
+      // An option that should stay unmatched.
       replyTo('match', [option('x'), option('y', { partner: 'Tree' })], ['y', '']),
       ['matching', 'a.2', ['b.2']],
       ['matching', 'x[.]y', ['y[.]y']],
@@ -180,7 +180,7 @@ describe('An answer', () => {
     [replyTo('number', [option('two', { least: 2, most: 2 })], ['2,50']), ['numeric', '2.5', ['2']], ['numeric', '2.5', ['2[:]2']]],
     [replyTo('number', [option('more', { least: 3 })], ['1e-7']), ['numeric', '0.0000001', []], ['numeric', '0.0000001', ['3[:]']]],
     [replyTo('number', [option('all')], ['many']), ['numeric', undefined, []], ['numeric', undefined, []]],
-    // The first rule that fits decides: what is right has a hole.
+    // The first matching rule decides, so the correct range has a gap.
     [replyTo('number', [{ ...wrong, least: 2, most: 2 }, option('some', { least: 0, most: 5 })], ['2']), ['numeric', '2', []], ['numeric', '2', []]],
     [
       replyTo('text', [option('well', { accepts: ['cold', 'winter'] })], ['It was\ncold.']),

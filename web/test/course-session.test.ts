@@ -147,7 +147,7 @@ for (const isCmi5 of [false, true]) {
     await vi.advanceTimersByTimeAsync(100_000);
     await begun;
     expect(player.currentTime).toBe(8);
-    // What was right stays right.
+    // A correct answer remains correct.
     expect(player.score.points).toBe(4);
     course.close();
     await settled();
@@ -234,7 +234,7 @@ it('what a system loses is there in the browser: of the same learner, and not in
   // One that has lost an attempt begins a new one; after a course that was completed it is meant.
   expect(await placeIn(new Map([['cmi.core.entry', 'ab-initio']]))).toEqual([5, 1]);
   expect(await placeIn(new Map([['cmi.core.entry', 'resume']]), '8')).toEqual([0, 0]);
-  // Another browser has brought the learner further.
+  // The learner advanced in another browser.
   const further = writeMemory({ ...memoryAt(40), session: 9 });
   expect(
     await placeIn(

@@ -130,7 +130,7 @@ export function faultsOfOrder(all: readonly SentStatement[], isCmi5: boolean): s
     if (verbs[0] !== 'initialized' || count('initialized') !== 1) faults.push('initialized first');
     if (count('terminated') > 1 || (count('terminated') === 1 && verbs.at(-1) !== 'terminated')) faults.push('terminated last');
     if (isCmi5 && count('passed', 'failed') > 1) faults.push('judged twice');
-    // What an earlier session could not send has the time at which it was done.
+    // A statement that an earlier session could not send has the time of its action.
     const own = told.filter(({ timestamp }) => timestamp >= (told[0]?.timestamp ?? ''));
     if (own.some(({ timestamp }, i) => i > 0 && timestamp < own[i - 1]!.timestamp)) faults.push('times');
   }

@@ -57,7 +57,7 @@ async function visit(next: Next, record: XapiRecord, questions: readonly Questio
       points = Math.min(4, points + 1);
     }
     isComplete ||= next() < 0.2;
-    // The rules are to hold whatever a course tells.
+    // The rules must hold for any statements of a course.
     record.tell(judged(points, !isComplete || next() < 0.3 ? undefined : next() < 0.5, isComplete));
     if (next() < 0.3) record.note({ kind: 'paused' });
     if (next() < 0.3) record.keep();
@@ -173,12 +173,13 @@ for (const isCmi5 of [false, true]) {
       await new XapiRecord(launchOf(isCmi5), COURSE, kept).open();
       await settled();
       expect(told().map(verbOf)).toEqual(
-        // A session of cmi5 says what an earlier one could not, without its end.
+        // A cmi5 session sends the statements that an earlier one could not send, except its
+        // termination.
         isCmi5
           ? ['initialized', 'initialized', 'completed', 'passed', 'initialized']
           : ['initialized', 'completed', 'passed', 'terminated', 'initialized', 'terminated', 'initialized'],
       );
-      // The store has it now; another browser brings the learner elsewhere, and this one follows.
+      // The store has the data now; another browser advances the learner, and this one follows.
       for (const shelves of [shelf(), kept]) {
         store.tokens = 0;
         const record = new XapiRecord(launchOf(isCmi5), COURSE, shelves);

@@ -171,7 +171,7 @@ for (const system of SYSTEMS) {
             seen = united([...seen, [from, player.currentTime]]);
             if (next() < 0.3) vi.advanceTimersByTime(20_000);
           }
-          // A tab is closed, hidden for ever, or its machine goes down after a while.
+          // A tab is closed, is hidden for ever, or its machine shuts down after a while.
           const end = next();
           if (end < 0.4) page.dispatchEvent(new Event('pagehide'));
           else if (end < 0.7) {

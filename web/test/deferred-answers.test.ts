@@ -51,6 +51,6 @@ test('what is not wanted any more is ended, and keeps nobody waiting', async () 
   expect([ended, later.pending()]).toEqual([true, undefined]);
   expect(later.ask('next', () => Promise.resolve('said'))).toBeUndefined();
   await later.pending();
-  // What became of the other one is no failure of this one.
+  // The failure of another request does not affect this one.
   expect(later.ask('next', () => Promise.resolve(''))).toBe('said');
 });

@@ -78,7 +78,7 @@ describe('the disc of emotions', () => {
         expect(shares.length).toBeLessThanOrEqual(2);
         expect(shares.reduce((sum, s) => sum + s.value, 0)).toBeLessThanOrEqual(1.0001);
         const there = at(shares);
-        // What is less than half a percent of a word is left out.
+        // A contribution below half a percent of a word is omitted.
         expect(Math.hypot(there.evaluation - inside.evaluation, there.activation - inside.activation)).toBeLessThan(1);
       }
     }
@@ -154,7 +154,7 @@ describe('the text of the face', () => {
     for (const { activation, evaluation, power, word, also } of WORDS) {
       const back = read(written((s) => (s.emotion = { activation, evaluation, power })));
       expect(back).toMatchObject({ emotion: { activation, evaluation, power }, word, values: {} });
-      // Words at one place stay apart: they may look different.
+      // Words at one position stay separate, because they may look different.
       for (const own of also) expect(read(written((s) => Object.assign(s, { emotion: { activation, evaluation, power }, word: own }))).word).toBe(own);
     }
     const between = { activation: 20, evaluation: 10, power: 5 };

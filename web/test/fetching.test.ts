@@ -20,7 +20,7 @@ const ANSWERS: { [path: string]: (response: ServerResponse) => unknown } = {
     }, 60);
   },
   '/endless': (response) => {
-    // No length is told.
+    // The response has no length.
     const more = setInterval(() => response.write('x'.repeat(1000)), 1);
     response.on('close', () => {
       clearInterval(more);
@@ -102,7 +102,7 @@ test('a module that a page left behind comes from the library', async () => {
   await expect(fetchModule(at('/app/left.wasm'), fetching())).rejects.toThrow(/not found at .*app/);
   spare.library = at('/library/');
   expect(await fetchModule(at('/app/left.wasm'), fetching())).toBeInstanceOf(WebAssembly.Module);
-  // What neither has is missed where it was to be.
+  // A module that neither folder has is reported missing at its expected location.
   await expect(fetchModule(at('/app/none.wasm'), fetching())).rejects.toThrow(/not found at .*app/);
   // The page of an application is no module.
   await expect(fetchModule(at('/page/page.wasm'), fetching())).rejects.toThrow(/not found at .*page/);

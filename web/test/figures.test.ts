@@ -19,7 +19,7 @@ async function judge(name: string, bytes: Uint8Array) {
   const told = issues.messages.map((m) => `${['error', 'warning', 'info', 'hint'][m.severity]} ${m.code} ${m.pointer ?? ''}: ${m.message}`);
   // Information is no fault, but a reader of the log should see it.
   if (told.length > 0) console.info([`${name}:`, ...new Set(told)].join('\n  '));
-  // Tangents are found at load: in the file they would take 100 KB.
+  // Tangents are computed at load: in the file they would take 100 KB.
   const faults = told.filter((line) => /^(error|warning)/.test(line) && !line.includes('MESH_PRIMITIVE_GENERATED_TANGENT_SPACE'));
   expect(issues.truncated).toBe(false);
   return { faults, info };
@@ -28,7 +28,7 @@ async function judge(name: string, bytes: Uint8Array) {
 describe.each(readdirSync(folder).filter((name) => name.endsWith('.glb')))('%s', (name) => {
   test('is valid and keeps to its budgets', async () => {
     const bytes = readFileSync(join(folder, name));
-    // The validator does not know the extension, so that it sees the frame alone of the file as it is.
+    // The validator does not know the extension, so it sees only the outer structure of the file.
     expect((await judge(name, new Uint8Array(bytes))).faults).toEqual([]);
     const { faults, info } = await judge(`${name}, unpacked`, await unpacked(bytes));
     expect(faults).toEqual([]);

@@ -54,7 +54,7 @@ test(
   'directions become the normal and angle that mean them, whatever they are',
   async () => {
     const palms = await openPalms();
-    // What has no direction looks to the front.
+    // A vector without direction defaults to the front.
     expect(palms.directionsOf('left', [0, 0, 0], 10)).toEqual(palms.directionsOf('left', flipDepth(FRONT!), 10));
     for (let i = 0; i < 200; i += 1) {
       const [a, b, c, d] = [1, 2, 3, 4].map((k) => Math.sin(k * 12.9898 + i * 78.233) * 2) as [number, number, number, number];
@@ -73,7 +73,7 @@ test(
 
 test('a ball rolls as a finger moves over it', () => {
   const front = { normal: FRONT!, fingers: UP! };
-  // To the right of the picture is the speaker's left.
+  // The right of the image is the speaker's left.
   near(roll(front, Math.PI / 2, 0).normal, LEFT!);
   near(roll(front, 0, Math.PI / 2).normal, UP!);
   near(twist(front, Math.PI / 2).fingers, RIGHT!);

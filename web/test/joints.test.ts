@@ -44,7 +44,8 @@ const pose = {
 test.each(LIMBS)('the joints of %s are those that it was told', (name) => {
   const found = jointsNow(pose, name) ?? [];
   expect(found).toHaveLength(TOLD[name].length);
-  // The upper arm at rest is turned about itself by 1.3 degrees, which no joint of the six can say.
+  // The upper arm at rest is rotated about its axis by 1.3 degrees, which none of the six joints
+  // can express.
   found.forEach((angle, i) => expect(Math.abs(angle - (TOLD[name][i] ?? 0)), `joint ${i + 1}`).toBeLessThanOrEqual(2));
 });
 

@@ -148,7 +148,7 @@ describe('A lesson', () => {
     const again = lesson([survey]);
     again.restore(JSON.parse(JSON.stringify(l.state())));
     expect(again.answered).toEqual(l.answered);
-    // Nor is it wrong to let the time run out.
+    // Letting the time run out is not wrong either.
     const late = lesson([survey]);
     late.pass(10);
     expect(late.expire()?.answered).toEqual({ name: 'q10', given: [], fits: [], points: 0, tries: 1, isFinal: true });
@@ -158,7 +158,8 @@ describe('A lesson', () => {
     const l = lesson([question(10)]);
     l.pass(10);
     expect([answer(l, 'c'), l.pass(11.5)]).toEqual([11, { kind: 'go' }]);
-    // The voice of what follows has come: this answer is longer, and all after it later.
+    // The voice of the following answer arrived: this answer is longer, and everything after it is
+    // later.
     const longer = question(10, {
       endSecs: 20,
       answers: question(10).answers.map(({ startSecs, endSecs, ...more }, i) => ({ ...more, startSecs: startSecs + (i === 0 ? 0 : 3), endSecs: endSecs + 3 })),
@@ -275,7 +276,7 @@ describe('What is asked while a story plays', () => {
     expect(play(l, 2, 40)).toMatchObject({ turn: { kind: 'rest', atSecs: 5 } });
     expect(answer(l, 'b')).toBe(5);
     expect(play(l, 5, 40)).toMatchObject({ turn: { kind: 'rest', atSecs: 10 } });
-    // While the story rests at a question of its own, another is asked after it.
+    // While the story rests at a question of its own, another question is asked after it.
     l.add([question(10, { name: 'live', points: 1 })]);
     expect([l.asked?.name, l.score.most, l.answered]).toEqual(['q10', 3, []]);
     expect(play(l, answer(l, 'a'), 40)).toMatchObject({ turn: { kind: 'rest', atSecs: 10 } });
@@ -343,7 +344,7 @@ describe('A thousand learners in stories by chance', () => {
           l.restore(kept);
           l.seek(secs);
         } else if (secs < endSecs && roll(6) === 0) {
-          // Somebody seeks ahead, as far as that leads.
+          // A seek ahead, as far as the target allows.
           l.seek(endSecs);
           const turn = l.pass(endSecs);
           if (turn.kind === 'rest') secs = turn.atSecs;
@@ -352,7 +353,7 @@ describe('A thousand learners in stories by chance', () => {
         }
       }
       expect(secs, `seed ${seed}`).toBeGreaterThanOrEqual(endSecs);
-      // Whatever was on the way is answered, and nothing counts twice.
+      // All questions on the way are answered, and no answer counts twice.
       const straight = lesson(questions, ways);
       let at = 0;
       while (at < endSecs) {
@@ -360,7 +361,8 @@ describe('A thousand learners in stories by chance', () => {
         at = played.turn.kind === 'rest' ? answer(straight, answers.get(straight.asked?.name ?? '') ?? 'a') : played.secs;
       }
       expect([l.answered, l.state().values], `seed ${seed}`).toEqual([straight.answered, straight.state().values]);
-      // Of what is not performed nothing is seen, but for what was come to before it was known.
+      // Parts that are not performed are not seen, except those that were reached before this was
+      // known.
       for (const { name, atSecs, answers: all } of questions) {
         const given = answers.get(name) ?? '';
         const chosen = all.find(({ to }) => to === given || to === (given === 'a' ? 'right' : 'wrong'));

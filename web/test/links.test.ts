@@ -57,7 +57,7 @@ describe('documents as pages', () => {
     for (const path of ['README.md', 'docs/eml.md', 'docs/voices.md', 'docs/cli.md', 'docs/animation.md', 'docs/avatars.md', 'docs/speech-bundle.md']) {
       expect(readFileSync(join(site, 'docs', pageOf(path)), 'utf8')).toContain('<article');
     }
-    // Addresses that lead out of the documents belong to the pages, which are not built here.
+    // Links that lead out of the documents refer to the pages, which are not built here.
     const own = deadLinks(site).filter(({ href }) => !/^\.\.\/(viewer\/|gestures\/|face\/|expression\/|composite\/)?$/.test(href));
     expect(own).toEqual([]);
   });

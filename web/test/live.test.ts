@@ -36,7 +36,7 @@ test('whenever fragments are interrupted, they say nothing after, and what was s
       expect(after?.words.map((word) => word.text) ?? []).toEqual(spoken);
     }
     expect(script.at(0)).toBe(story);
-    // Its caption does not linger.
+    // Its caption is removed in time.
     const shorter = [...changes.values()].find((utterance) => utterance !== undefined);
     if (shorter !== undefined) expect(captionAt(captionsOf(script.byTime(), 'en'), at + 0.01)).toBeUndefined();
   }

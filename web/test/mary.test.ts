@@ -34,7 +34,7 @@ test('the example asks MARY for the sound and the times of a sentence', async ()
     ['en_US', 'cmu-slt'],
   ]);
   expect(asked[0]?.get('INPUT_TEXT')).toContain('Fish &#38; &#60;chips&#62;?');
-  // What makes no sense is refused and ends nothing.
+  // An invalid request is rejected and does not stop the server.
   expect((await fetch(url, { method: 'POST', body: 'no JSON' })).status).toBe(502);
   expect((await fetch(url)).status).toBe(405);
 });

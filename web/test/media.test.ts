@@ -52,7 +52,7 @@ describe('events', () => {
     const media = new EventTarget();
     const told: string[] = [];
     for (const type of ['seeking', 'seeked', 'emptied']) media.addEventListener(type, () => told.push(type));
-    // What a listener brings about comes after what was there.
+    // Events that a listener triggers come after the queued ones.
     media.addEventListener('seeking', () => dispatch(media, 'emptied'));
     dispatch(media, 'seeking');
     dispatch(media, 'seeked');
@@ -106,7 +106,7 @@ describe('steps of the same queue', () => {
     takeBackSeek(media);
     dispatch(media, 'seeking', 'timeupdate', 'seeked');
     await over();
-    // None is under way.
+    // No seek is in progress.
     takeBackSeek(media);
     expect(told).toEqual(['pause', 'seeking', 'seeking', 'timeupdate', 'seeked']);
   });

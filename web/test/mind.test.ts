@@ -178,7 +178,7 @@ test('waits double, up to half a minute, and begin anew after a steady connectio
     waits.push(waited);
   }
   expect(waits).toEqual([500, 1000, 2000, 4000, 8000, 16000, 30000, 30000, 30000]);
-  // It is said once, not nine times.
+  // It is reported once, not nine times.
   expect(reports).toHaveLength(1);
   last().open();
   vi.advanceTimersByTime(6000);

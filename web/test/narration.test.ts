@@ -145,7 +145,7 @@ test('a text without end is told so far', async () => {
   async function* endless(): AsyncGenerator<string> {
     for (;;) yield await Promise.resolve(`${'word '.repeat(40)}. `);
   }
-  // Nobody speaks so quickly; it is the length that is looked at.
+  // The speech rate is unrealistic; the test is about the length.
   answer = (index) => ({ ...accepted(index), clauses: [{ clause: 0, element: 'voice-text', startSecs: 0, endSecs: 0 }] }) as Answer;
   await tellTo(stage, endless(), new AbortController().signal);
   expect(reports.map(({ code }) => code)).toEqual(['tell-too-long']);

@@ -14,12 +14,12 @@ test('the notices name what is built in, with its licence, and nothing that only
   const text = notices(join(import.meta.dirname, '../..'));
   for (const part of ['wgpu ', 'glam ', 'quick-xml ', 'lit ', '@codemirror/view ', 'wasm-bindgen ']) expect(text).toContain(`\n${part}`);
   for (const other of ['vite ', 'typescript ', 'proptest ', 'criterion ', 'clap ', 'festival']) expect(text).not.toContain(`\n${other}`);
-  // The library that is compiled in has its texts as well, and so has what is in it.
+  // The standard library compiled into the module has its own texts, and so have its components.
   const texts = text.slice(text.indexOf('Their licences and notices'));
   for (const owner of ['The Rust standard library', 'dlmalloc', 'hashbrown', 'lit', 'wgpu']) expect(texts).toMatch(new RegExp(`={78}\\n(.*, )?${owner}(, .*)?\\n-{78}\\n`));
   expect(texts).toContain('Copyright: The Rust Project Developers');
   expect(texts).not.toMatch(/&#\d+;/);
-  // A licence that asks for more than a notice is not among them.
+  // No licence in the list requires more than a notice.
   const list = text.slice(0, text.indexOf('Their licences and notices'));
   expect(list).not.toMatch(/\bGPL-|AGPL|see below/);
 });

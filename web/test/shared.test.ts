@@ -54,7 +54,7 @@ test('what nobody wants any more ends after a while, and is made anew for the ne
   const left = shared.get('a', abort.signal, make);
   abort.abort();
   await expect(left).rejects.toThrow();
-  // One who comes soon finds it.
+  // A request that follows soon finds the value.
   const soon = new AbortController();
   const again = shared.get('a', soon.signal, make);
   await pause(30);

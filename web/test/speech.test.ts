@@ -48,7 +48,7 @@ const speak = async (eml: string, progress: (share: number) => void = () => unde
 beforeEach(async () => {
   FakeWorker.all = [];
   vi.stubGlobal('Worker', FakeWorker);
-  // Where the script is, so that no other origin starts it.
+  // The script has the same origin, so that no other origin starts it.
   vi.stubGlobal('location', new URL(import.meta.url));
   vi.resetModules();
   ({ flite } = await import('../speech/flite.js'));
@@ -83,7 +83,7 @@ test('two hundred texts, ended at random, leave nothing behind', async () => {
     await saying;
   }
   expect([said, ended, FakeWorker.all.length]).toEqual([133, 67, 1]);
-  // What is not wanted any more is not made either.
+  // A cancelled text is not synthesised.
   expect(last().asked.filter(({ kind }) => kind === 'stop')).toHaveLength(67);
 });
 
@@ -98,7 +98,7 @@ test('a voice that breaks down is told, and the next text gets a fresh one', asy
   expect(FakeWorker.all).toHaveLength(2);
   last().say(1);
   await again;
-  // What it only cannot say does not end it.
+  // An utterance that fails does not stop the engine.
   const strange = speak('three');
   await asked();
   last().onmessage?.({ data: { kind: 'failed', id: 2, message: 'too long', dead: false } });

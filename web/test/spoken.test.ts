@@ -111,7 +111,7 @@ test('from the middle, after a seek or a pause, it goes on with the present word
   spoken.prepare(0.1);
   spoken.stop();
   expect(cancelled).toBe(1);
-  // The end of what was cancelled is no end of the utterance.
+  // The end event of a cancelled utterance does not end the current one.
   said[0]?.onend?.();
   spoken.start(1);
   spoken.prepare(1.2);
@@ -148,7 +148,7 @@ test('the story waits for one that is late, but not for ever', async () => {
   expect(said.at(-1)?.text).toBe('Three four');
   // This one never ends.
   expect(spoken.ready(4)).toBe(false);
-  // A page that was busy for long got no end event: that alone is no reason.
+  // A page that was busy for long received no end event; that alone is no reason to give up.
   vi.advanceTimersByTime(10_000);
   expect(spoken.ready(4)).toBe(false);
   let looks = 0;

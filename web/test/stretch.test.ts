@@ -36,14 +36,14 @@ test.each([0.25, 0.5, 0.75, 1.25, 1.5, 2, 4])('at %f times the speed the length 
     expect(changed.length).toBe(Math.round(sound.length / rate));
     // One sample of lag is 1.4 % at 220 Hz.
     expect(Math.abs(pitch(changed) / hz - 1)).toBeLessThan(0.02);
-    // Windows that did not fit would cancel each other; a good fit keeps the loudness.
+    // Windows out of phase would cancel each other; a good match preserves the loudness.
     expect(power(changed) / power(sound)).toBeGreaterThan(0.9);
     expect(power(changed) / power(sound)).toBeLessThan(1.1);
   }
 });
 
 test.each([0.25, 0.5, 0.75, 1.25, 1.6, 2, 4])('at %f times the speed every moment stays within 10 ms of its place', (rate) => {
-  // Noise is like itself only where it is itself: a piece of it tells its place.
+  // Noise correlates only with itself, so a piece of it identifies its position.
   let state = 1;
   const noise = Float32Array.from({ length: RATE * 2 }, () => (state = (state * 48_271) % 2_147_483_647) / 2 ** 30 - 1);
   const changed = stretch(noise, RATE, rate);
@@ -63,13 +63,13 @@ test.each([0.25, 0.5, 0.75, 1.25, 1.6, 2, 4])('at %f times the speed every momen
       const likeness = dot / Math.sqrt(a * b);
       if (likeness > best) [best, place] = [likeness, from];
     }
-    // Where two windows cross as equals either is a correct answer.
+    // If two windows cross at equal level, either is a correct answer.
     if (best < 0.8) continue;
     found += 1;
     worst = Math.max(worst, Math.abs(place - wanted) / RATE);
   }
   expect(found).toBeGreaterThan(20);
-  // What passes faster is heard for less of its time.
+  // At a higher rate, each part is audible for less time.
   expect(worst).toBeLessThan(0.01 * Math.max(1, rate / 2));
 });
 

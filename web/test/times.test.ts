@@ -32,7 +32,7 @@ test('a check that takes more than a quarter over its budget is named, on a slow
   expect(slower(rust(498), wanted, 2)).toEqual([]);
   expect(slower(rust(260), wanted, 1)).toEqual(['rust took 260 s; its budget is 200 s on this machine.']);
   expect(slower(rust(260), wanted, 0.5)).toEqual(['rust took 260 s; its budget is 100 s on this machine.']);
-  // Of a few seconds nothing can be said, nor of a check without a budget.
+  // Durations of a few seconds, or of checks without a budget, are not significant.
   expect(slower([{ name: 'lint', secs: 9 }], wanted, 1)).toEqual([]);
   expect(slower([{ name: 'size', secs: 900 }], wanted, 1)).toEqual([]);
 });

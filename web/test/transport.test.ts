@@ -174,7 +174,7 @@ test('a loop begins again by itself', () => {
 });
 
 test('an empty story ends, also in a loop', () => {
-  // As the element does: what is sought is drawn at once.
+  // Like the element, the test renders a seek immediately.
   const told: string[] = [];
   const empty = new Transport(voice, 0, (event) => {
     told.push(event);
@@ -231,7 +231,7 @@ test('an open-ended performance goes on past its end and keeps what it has come 
   transport.update();
   expect(transport.ended).toBe(true);
   expect(transport.position).toBeCloseTo(15, 9);
-  // Something more to perform: playing goes on from there.
+  // The performance is extended, so playback continues from there.
   transport.extend(20);
   expect(transport.ended).toBe(false);
   transport.play();

@@ -117,7 +117,7 @@ describe('the speed of an animation', () => {
     follow(260, () => (state = JSON.parse(settled) as State));
     expect(phase(text(), 0, 261) - phase(text(), 0, 260)).toBeCloseTo(0.55, 6);
     expect(phase(text(), 1, 261) - phase(text(), 1, 260)).toBeCloseTo(-2, 6);
-    // A layer that moves up takes its pace with it.
+    // A layer that moves up keeps its speed.
     const moved = phase(text(), 1, 300);
     state.layers.splice(0, 1);
     paces.follow(state, 300);

@@ -78,7 +78,7 @@ for (const isCmi5 of [false, true]) {
       store.tokens = 0;
       const again = new XapiRecord(launchOf(isCmi5), COURSE, undefined);
       const opened = again.open();
-      // The token has come; then the network goes.
+      // The token has arrived; then the network fails.
       for (let i = 0; i < 3; i++) await Promise.resolve();
       store.isAway = true;
       await vi.advanceTimersByTimeAsync(20_000);
@@ -235,7 +235,7 @@ describe('A launch', () => {
       await expect(new XapiRecord(address, COURSE, undefined).open()).rejects.toThrow(RecordError);
     }
     await expect(new XapiRecord(launchOf(true), COURSE, undefined).open()).rejects.toMatchObject({ why: 'no-launch' });
-    // The token is given once.
+    // The token is issued once.
     await expect(new XapiRecord(launchOf(true), COURSE, undefined).open()).rejects.toMatchObject({ why: 'not-let-in' });
   });
 
@@ -292,7 +292,7 @@ describe('An outbox', () => {
     outbox.add({ id: '3' });
     outbox.close();
     expect(sent).toEqual(['0,1,2', '3']);
-    // What is too long for a page that goes waits for the next session.
+    // A request that is too long for an unloading page waits for the next session.
     const long = outboxOf(() => Promise.resolve('taken'));
     long.open((waiting) => waiting);
     for (let i = 0; i < 8; i++) long.add({ id: `${i}`, text: 'x'.repeat(20_000) });

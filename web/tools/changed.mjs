@@ -1,4 +1,5 @@
-// Which checks a change needs, by the graph of crates. Only Node's own modules.
+// Determines the checks that a change needs, from the graph of crates. Uses only Node's own
+// modules.
 
 import { specsOf, visits } from './graph.mjs';
 import { ask, Stop } from './steps.mjs';
@@ -59,7 +60,7 @@ function specs(files) {
 export function needed() {
   const files = changedFiles();
   const crates = packages();
-  // What every crate is built from, or plays from.
+  // Files from which every crate is built, or which every crate plays.
   const all = files.some((file) => /^(Cargo\.|rust-toolchain|\.ci\/|assets\/|tests\/suite\/)/.test(file));
   const rust = all ? [...crates.keys()] : affected(files, crates);
   const web = files.filter((file) => WEB.test(file));

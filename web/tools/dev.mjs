@@ -1,6 +1,6 @@
-// `npm run dev [-- --backend webgl|webgpu] [--port N] [--host NAME]`: Vite's server over one wasm
-// build that is not optimised. A change of Rust builds it anew and reloads the pages, a change of
-// TypeScript or CSS reloads what it concerns.
+// `npm run dev [-- --backend webgl|webgpu] [--port N] [--host NAME]`: starts Vite's server with one
+// unoptimised wasm build. A change of Rust rebuilds it and reloads the pages; a change of
+// TypeScript or CSS reloads the affected modules.
 
 import { mkdirSync, rmSync } from 'node:fs';
 import { join, relative } from 'node:path';
@@ -41,7 +41,7 @@ function player(backend) {
       let timer;
       let building = false;
       const rebuild = async () => {
-        // What changes while it is being built is built next.
+        // Changes during a build are built next.
         if (building) return later();
         building = true;
         try {
@@ -73,7 +73,7 @@ await main(async () => {
   await rust();
   await build(backend);
   const { createServer } = await import('vite');
-  // What programs write is not watched; the build above reloads pages itself.
+  // Generated files are not watched; the build above reloads pages itself.
   const ignored = ['target', 'dist', '.setup', 'web/pkg', 'test-results'].map((name) => join(root, name, '**'));
   const server = await createServer({
     root,

@@ -1,4 +1,4 @@
-// Turns the repository's documents into pages of the site, in the page's own look.
+// Converts the repository's documents to pages of the site, in the site's design.
 
 import { copyFileSync, existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join, posix } from 'node:path';
@@ -106,7 +106,7 @@ function bodyOf(path: string, text: string, pages: ReadonlySet<string>, file: (p
         slugs.set(name, seen + 1);
         return `<h${depth} id="${name}${seen > 0 ? `-${seen}` : ''}">${inner}</h${depth}>\n`;
       },
-      // A wide block scrolls by itself, also with the keyboard.
+      // A wide block scrolls on its own, also with the keyboard.
       code({ text: code }) {
         return `<pre tabindex="0"><code>${code.replace(/&/g, '&amp;').replace(/</g, '&lt;')}</code></pre>\n`;
       },
@@ -118,7 +118,7 @@ function bodyOf(path: string, text: string, pages: ReadonlySet<string>, file: (p
       },
     },
   });
-  // A wide table scrolls by itself, as code does; an empty corner heads nothing.
+  // A wide table scrolls on its own, as code does; an empty corner is not a header.
   return marked.parse(text, { async: false }).replaceAll('<table>', '<table tabindex="0">').replaceAll('<th></th>', '<td></td>');
 }
 

@@ -1,6 +1,7 @@
-// Writes the examples into docs/embedding.md, so that the guide shows what is tried: `node web/tools/embedding.mjs`. Between
-// `<!-- example PATH… -->` and `<!-- /example -->` stand the files; of a file that has pieces between lines with `[guide` and `guide]`
-// those, and after `[guide 6` indented by six spaces.
+// Writes the tested examples into docs/embedding.md: `node web/tools/embedding.mjs`. The files are
+// inserted between `<!-- example PATH… -->` and `<!-- /example -->`. Of a file with lines `[guide`
+// and `guide]`, only the parts between them are inserted; after `[guide 6` they are indented by six
+// spaces.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { extname, join } from 'node:path';

@@ -1,5 +1,5 @@
-// The gate in a new clone for which nothing is kept: that what is committed needs nothing that only this machine
-// has by now. Only Node's own modules.
+// Runs the gate in a new clone without caches, to check that the committed files do not depend on
+// this machine. Uses only Node's own modules.
 
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';

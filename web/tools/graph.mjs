@@ -1,5 +1,6 @@
-// What the pages of the site and the tests in a browser are made of, read from their sources: a file reaches another
-// where it names it, relative to itself, in quotation marks. Only Node's own modules.
+// Finds the files that make up the pages of the site and the browser tests. A file depends on
+// another if its source contains the relative path in quotation marks. Uses only Node's own
+// modules.
 
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
@@ -74,7 +75,8 @@ export function specsOf(files) {
   const known = new Set(Object.values(parts).flatMap((all) => [...all]));
   const specs = [];
   for (const [spec, visited] of Object.entries(visits())) {
-    // What a spec names of the element is there for its types, and what it visits has it.
+    // A spec imports files of the element only for their types; the files it visits are already
+    // counted.
     const own = new Set([...reached([`${SPECS}/${spec}`])].filter((file) => !file.startsWith('web/') || !known.has(file)));
     for (const file of own) known.add(file);
     if (files.some((file) => own.has(file) || ['player', ...visited].some((name) => parts[name].has(file)))) specs.push(spec);

@@ -1,9 +1,9 @@
-// What cargo compiled of other people's crates, kept between checkouts in the user's cache: a checkout that has
-// no target folder begins with it. Only Node's own modules.
+// Caches cargo's builds of third-party crates between checkouts in the user's cache: a checkout
+// without a target folder starts from it. Uses only Node's own modules.
 //
-// Cargo names what it compiles of a registry's crate by a hash of all that it was compiled with, and of nothing
-// in the checkout, so that two checkouts can share such a file; of the workspace's own crates it compares only
-// times, so that these are never shared. Files that the compiler writes once are hard links; the small ones that
+// Cargo names the files of a registry crate by a hash of all build inputs, independent of the
+// checkout, so two checkouts can share them. For crates of the workspace it compares only times, so
+// these are never shared. Files that the compiler writes once are hard links; the small ones that
 // cargo rewrites are copies.
 
 import { copyFileSync, cpSync, existsSync, linkSync, lstatSync, mkdirSync, readdirSync, renameSync, rmSync, utimesSync } from 'node:fs';
@@ -84,7 +84,7 @@ export function carry(from, to) {
     for (const folder of ['deps', 'build', '.fingerprint']) mkdirSync(join(goal, folder), { recursive: true });
     for (const name of list(join(source, 'deps'))) if (hashes.has(hashOf(name))) share(join(source, 'deps', name), join(goal, 'deps', name));
     for (const name of units) if (existsSync(join(source, 'build', name))) copy(join(source, 'build', name), join(goal, 'build', name));
-    // Last: cargo takes what has one of these as compiled.
+    // Copied last, because cargo takes a unit with a fingerprint as compiled.
     for (const name of units) copy(join(source, '.fingerprint', name), join(goal, '.fingerprint', name));
     carried += units.length;
   }
@@ -122,7 +122,7 @@ export function keep() {
     const kept = compiled();
     carry(targetFolder(), kept);
     if (!existsSync(kept) || sizeOf(kept) <= MAX_BYTES) return;
-    // Out of the way at once: others may begin with it.
+    // Moves the old cache away immediately, because other checkouts may start from it.
     const old = `${kept}.${process.pid}`;
     renameSync(kept, old);
     rmSync(old, { recursive: true });

@@ -1,4 +1,4 @@
-// Follows every link of the built site, so that none is dead.
+// Follows every link of the built site, to find dead ones.
 
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { join, relative } from 'node:path';
@@ -53,7 +53,7 @@ export function deadLinks(folder: string): DeadLink[] {
         continue;
       }
       let target = join(folder, decodeURIComponent(url.pathname));
-      // A folder without a slash is redirected by some servers and lost by others.
+      // Some servers redirect a folder without a trailing slash, others lose it.
       const isFolder = existsSync(target) && statSync(target).isDirectory();
       if (isFolder && url.pathname.endsWith('/')) {
         // A folder of files, such as the asset library, has no page of its own.

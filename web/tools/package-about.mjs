@@ -1,4 +1,4 @@
-// What the packages for npm say of themselves: their `package.json`.
+// Writes the metadata of the npm packages: their `package.json`.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -54,7 +54,7 @@ export const player = () =>
       './custom-elements.json': './custom-elements.json',
       './package.json': './package.json',
     },
-    // For bundlers that do not look at `exports`.
+    // For bundlers that ignore `exports`.
     main: './dist/player.js',
     module: './dist/player.js',
     types: `./types/${playerTypes}/player.d.ts`,
@@ -70,7 +70,7 @@ export const library = () =>
     keywords: ['raconteur', 'virtual-human', 'assets'],
     bin: { 'raconteur-library': 'command.mjs' },
     exports: { './library/*': './library/*', './package.json': './package.json' },
-    // What a page's build leaves behind of the player is copied with the library.
+    // Files of the player that a page's build omits are copied with the library.
     peerDependencies: { '@raconteur/player': version },
   });
 

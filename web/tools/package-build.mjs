@@ -86,7 +86,7 @@ export async function script(kind, to, name, source, { external = [], using = []
         input: { [name]: join(root, source) },
         external,
         preserveEntrySignatures: 'strict',
-        // What tells a page's bundler to leave an import alone is kept.
+        // Comments that tell a page's bundler to leave an import alone are preserved.
         output: { entryFileNames: '[name].js', chunkFileNames: '[name]-[hash].js', assetFileNames, comments: { annotation: true } },
       },
     },

@@ -69,7 +69,7 @@ export const CELLS = {
     bundler: 'esbuild 0.28.2, iife',
     example: 'plain',
     packages: { esbuild: '0.28.2' },
-    // Its default, the older kind of script, does not know where it is.
+    // Its default, a classic script, does not know its own URL.
     build: [['esbuild', 'main.js', '--bundle', '--outdir=dist']],
     served: 'dist',
     script: MAIN,
@@ -79,7 +79,7 @@ export const CELLS = {
     bundler: 'rollup 4.68.8',
     example: 'plain',
     packages: { rollup: '4.68.8', '@rollup/plugin-node-resolve': '16.0.3' },
-    // By itself it finds no packages.
+    // Without a plugin it finds no packages.
     build: [['rollup', 'main.js', '--dir', 'dist', '--plugin', 'node-resolve', '--silent']],
     served: 'dist',
     script: MAIN,

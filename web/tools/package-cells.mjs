@@ -1,6 +1,7 @@
-// Does with the packed files what users of ten bundlers and frameworks do: each example is copied to an empty folder, installed by npm,
-// type-checked, built with the bundler's defaults, served and played to its end in a browser.
-//   node web/tools/package-cells.mjs [--pictures FOLDER] [NAME…]
+// Tests the packed files like users of ten bundlers and frameworks: copies each example to an empty
+// folder, installs it with npm, checks its types, builds it with the bundler's defaults, serves it
+// and plays it to its end in a browser. node web/tools/package-cells.mjs [--pictures FOLDER]
+// [NAME…]
 
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -108,7 +109,7 @@ await main(async () => {
       try {
         rows.push(cell === undefined ? tryDeno() : await tryCell(browser, name, cell, pictures));
       } catch (error) {
-        // The others are tried too, so that one run tells of all.
+        // The other examples run too, so that one run reports all failures.
         console.error(`  ${error.message}`);
         rows.push({ cell: name, bundler: cell?.bundler, outcome: FAILS, types: '', secs: 0 });
       }

@@ -1,5 +1,5 @@
-// Does what a new user does with the packed files: lays them into an empty folder, builds a page with a bundler's
-// defaults and plays a story in a browser. `npm run package` has packed them.
+// Tests the packed files like a new user: puts them into an empty folder, builds a page with a
+// bundler's defaults and plays a story in a browser. `npm run package` has packed them.
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';

@@ -1,4 +1,5 @@
-// What the checks of the packed files have in common: a server of an application's files, and a browser that plays its story.
+// Shared parts of the checks of the packed files: a server of an application's files, and a browser
+// that plays its story.
 
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
@@ -69,7 +70,7 @@ async function speak({ language, most }) {
   const player = document.querySelector('raconteur-player');
   let name;
   player.addEventListener('voicechange', ({ detail }) => (name = detail.name));
-  // All of it has come then, and runs.
+  // The voice has loaded completely by then, and runs.
   const voice = new Promise((done) => player.addEventListener('voiceprogress', ({ detail }) => detail.share === 1 && done(name)));
   const head = `<head><r:performer language='${language}'/></head>`;
   await player.rehearse(`<eml xmlns:r='urn:raconteur:eml:1'>${head}<body><voice-text time='0'>Hello, hallo.</voice-text></body></eml>`);
@@ -88,7 +89,7 @@ export async function play(browser, name, address, { button, picture, languages 
   const faults = [];
   tab.on('pageerror', (error) => faults.push(error.message));
   try {
-    // Pages that a server has made are idle when their scripts have taken them over.
+    // Server-rendered pages are idle when their scripts have hydrated them.
     await tab.goto(address, { waitUntil: 'networkidle' });
     const played = await Promise.race([tab.evaluate(perform, { most: PLAYED_MS, button }), undefinedElement(tab)]);
     if (picture !== undefined) await tab.screenshot({ path: picture });
@@ -96,7 +97,7 @@ export async function play(browser, name, address, { button, picture, languages 
     if (played.outcome === 'ended') for (const language of languages) spoken.push(await tab.evaluate(speak, { language, most: PLAYED_MS }));
     const told = { ...played, spoken };
     const isSpoken = languages.every((language, at) => spoken[at]?.voice === VOICES[language]);
-    // On a slow machine one picture may come after several words.
+    // On a slow machine one frame may come after several words.
     const isShown = button === undefined || told.shown.at(-1) === told.words.at(-1);
     if (told.outcome !== 'ended' || told.words.join(' ') !== SAID || !isShown || !isSpoken || faults.length > 0) throw new Stop(`${name} does not play: ${JSON.stringify({ ...told, faults })}`);
     return told;

@@ -1,4 +1,4 @@
-// What is in the packages for npm and how large it is, and the bounds of the player's.
+// Measures the contents and sizes of the npm packages, and checks the limits of the player's.
 
 import { readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,4 +1,5 @@
-// What the stories of the library use of it: figures, and pieces of music. The engine tells, as it does in a page.
+// Lists the figures and pieces of music that the library's stories use. The engine reports them, as
+// it does in a page.
 
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';

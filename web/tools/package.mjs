@@ -67,7 +67,7 @@ async function packPlayer(kind) {
   const own = join(folder, 'player');
   const to = join(own, 'dist');
   const entry = (name) => `web/package/player/${name}.ts`;
-  // Pages have lit once, whoever else uses it; a script tag finds no packages.
+  // Pages load lit once, even if they use it elsewhere; a script tag cannot resolve packages.
   const bundled = await script(kind, to, 'player', entry('player'), { external: LIT, using: [looksForVoices] });
   const alone = await script(kind, to, 'standalone', entry('standalone'), { using: [litAnywhere, looksForVoices] });
   for (const name of ['player', 'standalone']) copyTypes(declared, `web/package/player/${name}.d.ts`, join(own, 'types'));

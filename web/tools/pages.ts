@@ -1,6 +1,7 @@
-// A page lies in web/pages/NAME with its scripts and styles, and is served at /NAME/: the build and the server of
-// development take its HTML as if it lay there. So what the HTML names of the sources begins at the root (`/web/pages/…`),
-// and links to other pages, which stand as they are, begin at its address (`../docs/`).
+// A page is in web/pages/NAME with its scripts and styles, and is served at /NAME/. The build and
+// the development server use its HTML as if it were there. Links of the HTML to sources therefore
+// begin at the root (`/web/pages/…`), and links to other pages, which are not rewritten, begin at
+// its URL (`../docs/`).
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -18,7 +19,8 @@ export function pages(root: string, names = PAGES): Plugin {
   return {
     name: 'raconteur-pages',
     enforce: 'pre',
-    // Where the server of development looks for packages that it prepares: the addresses of pages are no files.
+    // Entries in which the development server looks for packages to optimise, because the URLs of
+    // pages are not files.
     config: () => ({ optimizeDeps: { entries: ['index.html', 'web/pages/*/index.html'] } }),
     resolveId: (id) => (sources.has(normalizePath(id)) ? normalizePath(id) : undefined),
     load(id) {
@@ -35,7 +37,7 @@ export function pages(root: string, names = PAGES): Plugin {
           response.end(html);
         }, next);
       });
-      // Vite tells browsers where the file lies, and no page is there.
+      // Vite sends browsers the location of the file, at which no page is served.
       server.watcher.on('change', (path) => {
         const name = names.find((name) => sources.get(servedPage(root, name)) === normalizePath(path));
         if (name !== undefined) server.ws.send({ type: 'full-reload', path: `/${name}/index.html` });

@@ -1,4 +1,4 @@
-// What several pages of the site say is written once, in web/pages/parts.
+// Inserts texts shared by several pages of the site, from web/pages/parts.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

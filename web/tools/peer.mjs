@@ -110,7 +110,7 @@ function report(rounds) {
   for (const [name, unit, read, more] of MEASURES) {
     const [ours, theirs] = ['ours', 'theirs'].map((who) => rounds.map((round) => read(round[who])));
     const ratios = ours.map((value, i) => value / theirs[i]);
-    // A task of less than 50 ms is not reported and counts as none.
+    // Tasks shorter than 50 ms are not reported and count as none.
     const ratio = ratios.every(Number.isFinite) ? `; ours is ${spread(ratios, 2)} of theirs` : '';
     console.log(`${name}${unit}: ours ${spread(ours, 1)}, theirs ${spread(theirs, 1)}${ratio} (${more ? 'more' : 'less'} is better)`);
   }

@@ -1,6 +1,7 @@
-// `node web/tools/people.mjs RACONTEUR`: what must hold for everyone that the body model can be, with its data fetched.
-// The library's people are what the model gives for their traits, a person comes to wanted measures, and people drawn
-// at random say what closes the lips from every vowel.
+// `node web/tools/people.mjs RACONTEUR`: checks properties of all people that the body model can
+// generate, with its data fetched. The library's people match the model's result for their traits,
+// a person reaches target measures, and random people determine the muscles that close the lips
+// from every vowel.
 
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

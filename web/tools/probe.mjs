@@ -1,5 +1,6 @@
-// How fast this machine is just now: a fixed piece of work on all processors, by which times of checks are compared
-// with those of the reference machine in docs/testing.md. Only Node's own modules.
+// Measures the current speed of this machine with a fixed piece of work on all processors. The
+// times of checks are compared with those of the reference machine in docs/testing.md by it. Uses
+// only Node's own modules.
 
 import { availableParallelism } from 'node:os';
 import { fileURLToPath } from 'node:url';

@@ -1,5 +1,5 @@
-// The licences of Rust's standard library, which is part of every wasm file, and of the crates in it, as
-// they come with the compiler.
+// Collects the licences of Rust's standard library, which is part of every wasm file, and of the
+// crates in it, as included with the compiler.
 
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';

@@ -1,7 +1,7 @@
-// Prepares a bare clone. `node web/tools/setup.mjs [page|test]`; finished steps are skipped.
-//   page: packages, Rust's wasm target, the wasm builds, the built page in dist/
-//   test: all of that, a browser with software rendering, and speech engines
-// Only Node's own modules: this installs the others.
+// Prepares a bare clone. `node web/tools/setup.mjs [page|test]`; completed steps are skipped.
+// `page`: packages, Rust's wasm target, the wasm builds, the built page in dist/. `test`: all of
+// that, a browser with software rendering, and speech engines. Uses only Node's own modules,
+// because it installs the others.
 
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
@@ -123,7 +123,7 @@ const SYSTEM = {
         'festvox-kallpc16k': festival.includes('kal_diphone'),
         'festvox-kdlpc16k': festival.includes('ked_diphone'),
         flite: runs('flite', '--version'),
-        // The program brings its library, which is what speaks.
+        // The program includes its library, which speaks.
         'espeak-ng': runs('espeak-ng', '--version'),
         'opus-tools': runs('opusenc', '--version'),
         ffmpeg: runs('ffmpeg', '-version'),
@@ -140,7 +140,7 @@ export async function system(...names) {
   const debian = existsSync('/etc/debian_version') && ask('apt-get', ['--version']) !== undefined;
   if (debian && process.getuid?.() === 0) {
     const packages = short.flatMap(({ all }) => all);
-    // It runs beside compilers, whose output is worth more.
+    // It runs next to compilers, whose output is more important.
     const quiet = { env: { ...process.env, DEBIAN_FRONTEND: 'noninteractive' }, stdio: ['ignore', 'ignore', 'inherit'] };
     await start('apt-get', ['update', '-qq'], { ...quiet, why: 'Updating the package lists' });
     await start('apt-get', ['install', '-y', '-qq', '--no-install-recommends', ...packages], { ...quiet, why: `Installing ${packages.join(', ')}` });

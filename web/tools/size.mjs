@@ -1,5 +1,5 @@
-// What a page downloads for one player, per back end, against the budget; compressed
-// ahead, as for a server of static files.
+// Measures the download size of a page with one player, per back end, against the budget; files are
+// compressed in advance, as on a static server.
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
@@ -71,7 +71,8 @@ await main(async () => {
     console.log(`first word on webgpu: ${kb.toFixed(1)} KB brotli; budget ${firstWord} KB`);
     if (kb > firstWord) over.push('first word');
   };
-  // What some players fetch alone has bounds of its own; engines that speak in the page are other people's work and have none.
+  // Files that only some players fetch have limits of their own; speech engines that run in the
+  // page are third-party software and have none.
   for (const [backend, budget] of Object.entries(budgets)) {
     const other = backend === 'webgpu' ? 'webgl' : 'webgpu';
     measure(backend, reach(entry, new RegExp(`^(${apart.join('|')}|${other})-`)), budget);
@@ -83,7 +84,7 @@ await main(async () => {
   measure('music', named(/^music-/), 3);
   measure('spoken', named(/^spoken-/), 3);
   measure('stretch', named(/^stretch-/), 2);
-  // What pages of their own add to the player; what several of them share is counted once.
+  // Files that pages add to the player; a file shared by several pages counts once.
   const player = reach(entry, /^$/);
   const added = Object.keys(pages).map((page) => {
     const [script] = named(new RegExp(`^${page}-.*\\.js$`));

@@ -1,5 +1,5 @@
-// What every set-up step needs: running programs, and knowing which steps are done.
-// Only Node's own modules: this runs before any package is installed.
+// Functions for every set-up step: running programs, and detecting completed steps. Uses only
+// Node's own modules, because it runs before any package is installed.
 
 import { spawn, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';

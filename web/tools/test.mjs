@@ -1,7 +1,8 @@
-// `npm test`, the gate: prepares everything, then checks everything once. `npm run test:long` runs all that
-// there is (`--long`). With names of checks only those run, with `--changed` those that the files need which
-// differ from the branch main, and Rust's tests of the crates that they reach; with `--fresh` it runs in a new
-// clone beside this one, for which nothing is kept. docs/testing.md tells more.
+// `npm test`, the gate: prepares everything, then runs every check once. `npm run test:long`
+// (`--long`) runs all checks. With names, only those checks run. With `--changed`, only those run
+// that the files changed from branch main affect, and Rust's tests of the crates that they reach.
+// With `--fresh` it runs in a new clone next to this one, without caches. docs/testing.md has
+// details.
 
 import { availableParallelism } from 'node:os';
 import { isPage, isTimed } from '../../tests/browser/kinds.mjs';
@@ -16,7 +17,7 @@ import { browserTimes, report, reportPath, unitTimes } from './times.mjs';
 import { backends, builds, buildWasm, kinds, stampOf } from './wasm.mjs';
 
 const isLong = process.argv.includes('--long');
-// Tests ask for it: in Rust by `raconteur-tier`, in the browser and the unit tests directly.
+// Tests query it: Rust tests through `raconteur-tier`, browser and unit tests directly.
 if (isLong) process.env['TEST_LONG'] = '1';
 /** Tested builds: the shipped ones in the long tier. */
 const kind = isLong ? kinds.shipped : kinds.quick;
@@ -42,7 +43,7 @@ const unlessPassed = async (name, inputs, work) => {
 
 /** Inputs of browser tests; the next constant adds those of the pages. */
 const PLAYED = [...builds.map((build) => `.setup/${stampOf(kind, build)}`), 'web/element', 'web/speech', 'packages', 'web/test/tier.ts', 'web/tools/chromium.mjs', 'tests/browser', 'assets', 'vite.config.ts', 'package-lock.json'];
-// Among them are figures in three.js beside the command line's pictures of them.
+// The pages include figures in three.js next to the command line's renderings of them.
 const PAGES = ['crate/cli', 'index.html', 'web/pages', 'web/tools/pages.ts', 'web/composite', 'web/course', 'web/tools/course.ts', 'docs', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md'];
 
 /** Completed tests, for the final report. */
@@ -88,9 +89,9 @@ const checks = {
     }
   },
   doc: () => cargo(['doc', '--locked', '--workspace', '--no-deps'], { env: { ...process.env, RUSTDOCFLAGS: '--deny warnings' } }),
-  // What is committed passes where nothing was ever compiled.
+  // Checks that the committed files pass where nothing was compiled before.
   fresh: () => fresh(),
-  // To run them takes a nightly compiler.
+  // Running them requires a nightly compiler.
   fuzz: () => cargo(['check', '--locked', '--manifest-path', 'fuzz/Cargo.toml']),
   voices: async () => {
     const raconteur = await program('raconteur');
@@ -121,7 +122,7 @@ const checks = {
     await node('web/tools/size.mjs');
   },
   browser: async ({ specs } = {}) => {
-    // Figures are compared with the command line's pictures of them.
+    // Figures are compared with the command line's renderings of them.
     await page(kind, await program('raconteur-bindgen'));
     if (specs === undefined || specs.some((spec) => spec.startsWith('course'))) await schemas();
     for (const { name, workers, projects, inputs, has } of BROWSER) {

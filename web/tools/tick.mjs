@@ -42,7 +42,7 @@ await main(async () => {
       run(lists.at(-1));
       return Array.from({ length: ROUNDS }, () => lists.map(run));
     };
-    // Reading the story and the figure takes the same with few ticks as with many.
+    // Loading the story and the figure takes the same time with few ticks as with many.
     const bare = median(timed(hard, none, frames), ([nothing, all]) => all - nothing);
     const soft = timed(figure, none, still, frames, steps);
     const tick = median(soft, ([nothing, , all]) => all - nothing);

@@ -1,5 +1,6 @@
-// How long checks and tests took: printed, kept in `.setup/times.json`, and held against the budgets of
-// docs/testing.md and against the last whole run of main. Only Node's own modules.
+// Prints the durations of checks and tests, stores them in `.setup/times.json`, and compares them
+// with the budgets of docs/testing.md and with the last complete run of main. Uses only Node's own
+// modules.
 
 import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';

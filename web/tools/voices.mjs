@@ -1,7 +1,8 @@
-// What markup and emotions do to voices, measured: `node web/tools/voices.mjs` writes the tables
-// of docs/voices.md anew. `--check PROGRAM` only measures, with a program that is there: one setting of each kind
-// for a voice of each engine, or everything where TEST_LONG is set. Both fail when a setting misses its target.
-// Needs the engines (see `system` in setup.mjs). Only Node's own modules.
+// Measures the effect of markup and emotions on voices: `node web/tools/voices.mjs` updates the
+// tables of docs/voices.md. `--check PROGRAM` only measures, with an existing program: one setting
+// of each kind for a voice of each engine, or everything if TEST_LONG is set. Both fail if a
+// setting misses its target. Needs the engines (see `system` in setup.mjs). Uses only Node's own
+// modules.
 
 import { execFile } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -33,7 +34,8 @@ function measure(program, options, [engine, voice]) {
   const args = ['voice', 'measure', '--engine', engine, '--voice', voice, '--format', 'json', ...options];
   return new Promise((done, fail) => {
     execFile(program, args, { cwd: root, maxBuffer: 1 << 24 }, (error, stdout, stderr) => {
-      // The status also says that a setting missed its target, which the rows say better.
+      // The exit status also reports that a setting missed its target, but the rows give the
+      // details.
       try {
         const rows = JSON.parse(stdout);
         console.log(`  ${engine}:${voice}: ${rows.filter((row) => row.ok).length} of ${rows.length} settings as asked`);

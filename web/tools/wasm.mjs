@@ -30,13 +30,13 @@ export const stampOf = (kind, build) => `wasm-${kind.name}-${build}`;
 
 /** Builds all variants of a kind. `bindgen` is the program that writes their JavaScript, where it is built already. */
 export async function buildWasm(kind = kinds.shipped, bindgen) {
-  // Cargo builds one after the other, and takes all cores for most of the time; what comes after it
-  // takes one, and runs beside the next build.
+  // Cargo's builds run one after the other and use all cores for most of the time; the steps after
+  // a build use one core and run next to the following build.
   let cargo = Promise.resolve();
   const crates = packages({ tests: false });
   await Promise.all(builds.map((feature) => {
     const folder = `${kind.folder}/${feature}`;
-    // What makes figures and voices is in none of them.
+    // None of the builds includes the crates that make figures and voices.
     const inputs = [...sources(crateOf(feature), crates), 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs'];
     const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
     return once(stampOf(kind, feature), { inputs, outputs }, async () => {
@@ -53,13 +53,14 @@ const crateOf = (feature) => `raconteur-${backends.includes(feature) ? 'web' : f
 /** Compiles a variant and returns its file, copied to `folder` because the next variant overwrites cargo's own. */
 async function compile(feature, { profile, isOptimized }, folder) {
   const name = crateOf(feature);
-  // Messages of panics name source files: without the folders of the build machine. What tests play may name them,
-  // and is compiled alike in every checkout, so that it can be kept between them.
+  // Panic messages contain names of source files, so the folders of the build machine are removed.
+  // Test builds may contain them, but are compiled alike in every checkout, so that they can be
+  // cached.
   const cargoHome = process.env['CARGO_HOME'] ?? join(homedir(), '.cargo');
   const hidden = isOptimized ? [`--remap-path-prefix=${cargoHome}=cargo`, `--remap-path-prefix=${root}=.`] : [];
   const flags = [process.env['RUSTFLAGS'] ?? '', '-Ctarget-feature=+simd128', ...hidden].join(' ').trim();
-  // What is tested is compiled together as far as that goes, so that crates are compiled once for all: the first
-  // variant that is asked for brings the others. What ships has the features that it needs alone.
+  // Test variants are compiled together if possible, so that crates are compiled once for all: the
+  // first requested variant builds the others. A variant that ships has only its own features.
   const variants = isOptimized || feature === 'webgpu' ? [feature] : builds.filter((variant) => variant !== 'webgpu');
   await start('cargo', [
     'build', '--locked', ...variants.flatMap((variant) => ['--package', crateOf(variant)]), '--target', 'wasm32-unknown-unknown',

@@ -1,6 +1,7 @@
-// `node web/tools/witness.mjs`: the baked stories as programs hear them that had no part in making them: when their words
-// begin (PocketSphinx), and how listeners would rate their sound (DNSMOS P.808). Fetches Python packages into
-// `.setup/witnesses`; nothing of ours needs them. Only Node's own modules.
+// `node web/tools/witness.mjs`: evaluates the baked stories with independent programs: the start
+// times of their words (PocketSphinx), and the predicted listener rating of their audio (DNSMOS
+// P.808). Fetches Python packages into `.setup/witnesses`; no other tool of the repository needs
+// them. Uses only Node's own modules.
 
 import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';

@@ -75,7 +75,7 @@ struct Point {
 struct InAccent {
     /// Index of the accent in its sentence.
     index: usize,
-    /// Position, 0 to 1.
+    /// Position within the window of the accent, 0 to 1.
     place: f64,
     /// The pitch in the middle, semitones over 100 Hz.
     centre: f64,

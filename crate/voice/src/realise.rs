@@ -47,7 +47,7 @@ pub fn emphasis(level: f64) -> (f64, f64, f64) {
     (mix(low.1, high.1), mix(low.2, high.2), mix(low.3, high.3))
 }
 
-/// Neutral pitch, rate and level of the voice in an utterance, the reference for absolute settings.
+/// Neutral pitch and speech rate of the voice in an utterance, the reference for absolute settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VoiceBaseline {
     /// Mean of the pitch on a musical scale, hertz.

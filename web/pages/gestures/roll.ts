@@ -17,7 +17,8 @@ function turned(v: Vector3, axis: Vector3, angle: number): Vector3 {
 export function roll({ normal, fingers }: HandDirections, right: number, up: number): HandDirections {
   const amount = Math.hypot(right, up);
   if (amount === 0) return { normal, fingers };
-  // The audience stands before the speaker and sees +x to the right, +z towards itself.
+  // Seen by the audience in front of the speaker, +x points right and +z points towards the
+  // audience.
   const axis = unit([-up, right, 0]);
   const n = unit(turned(normal, axis, amount));
   const f = turned(fingers, axis, amount);

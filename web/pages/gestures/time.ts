@@ -42,7 +42,7 @@ const LENGTHLESS = new Set(['null', 'event', 'gesture-is-on']);
 export function timesOf(body: Element): Map<Element, number> {
   const starts = new Map<Element, number>();
   const moments = new Map<string, number>();
-  // A name may be used before it is given, so a second look finds what the first one missed.
+  // A name may be used before its definition, so a second pass finds what the first one missed.
   for (let look = 0, known = -1; look < 8 && known !== moments.size; look += 1) {
     known = moments.size;
     starts.clear();

@@ -24,7 +24,7 @@ export function keyInWords(feature: Feature, { value: { shape, palm, place } }: 
 
 export function timeline(app: App): TemplateResult {
   const { gesture } = app;
-  // A phase whose start only the player knows is drawn after the one before.
+  // A phase whose start only the player knows is drawn after the previous one.
   let before = 0;
   const starts = gesture.phases.map((phase) => {
     const start = phase.startSecs ?? before;
@@ -159,7 +159,7 @@ function keysOf(app: App, phase: Phase, index: number, start: number, feature: F
             event,
             lane,
             ({ x }, _rect, e) => {
-              // A press that trembles selects and moves nothing.
+              // A press with a small movement selects and does not drag.
               moved ||= Math.abs(e.clientX - pressed) > 3;
               if (moved) move(Math.round((secsOf(x, width) - start) * 100) / 100);
             },

@@ -77,7 +77,7 @@ export class Lines {
   /** Reads the utterances of the text on stage, with their times. */
   async #read(): Promise<void> {
     const [own, { src }] = [this.#own, this.#player];
-    // Its curves are not needed, only what the mouth goes through.
+    // Only the mouth shapes are needed, not the curves.
     const course = this.#player.course(0, 0, 1);
     if (!this.#wide.matches || course === undefined) return;
     if (own !== undefined) {
@@ -120,7 +120,7 @@ export class Lines {
 
   #set(script: Map<number, Utterance>): void {
     this.#script = script;
-    // A story is told in one language; that of the visitor's own text is not known here.
+    // A story has one language; the language of the visitor's own text is not known here.
     this.#places.list.lang = script.get(0)?.language ?? '';
     this.#lines = captionsOf(
       [...script.values()].sort((a, b) => a.startSecs - b.startSecs),

@@ -32,9 +32,9 @@ function choose(name: string): void {
   for (const b of buttons) b.setAttribute('aria-pressed', String(b === button));
   player.label = button.dataset['title'] ?? story;
   const src = address(story);
-  // A text of the visitor's own may have taken the story's place.
+  // A text of the visitor may have replaced the story.
   if (owned) shown?.tell(undefined);
-  // The same address again loads its story anew.
+  // Setting the same URL again reloads its story.
   if (owned || player.getAttribute('src') !== src) player.src = src;
   owned = false;
   if (script?.closest('details')?.open) void readScript();
@@ -55,7 +55,7 @@ async function readScript(): Promise<void> {
 
 for (const button of buttons) {
   button.addEventListener('click', () => {
-    // Each story has its own storyteller until another is chosen, who then stays.
+    // Each story has its own storyteller until the visitor chooses another, who then stays.
     choose(short(button));
     remember();
     player?.play().catch(() => undefined);
@@ -84,7 +84,7 @@ if (player !== null) {
     figure = name;
     // The still is of the story's own figure.
     player.toggleAttribute('data-teller', player.figure !== undefined);
-    // The address keeps the visitor's own text.
+    // The address stores the visitor's own text.
     if (!owned) remember();
   });
   if (teller !== '') chooseFigure(teller);

@@ -107,7 +107,7 @@ export function scriptOf({ utterances, voices }: Bundle, course: FaceCourse): Ut
     const isNext = next !== undefined && fits(track, startSecs, next);
     if (isNext) fresh += 1;
     const said = isNext ? next : utterances.slice(0, fresh).find((known) => fits(track, startSecs, known));
-    // What the bundle does not have keeps its place: its event will tell it.
+    // An utterance that the bundle lacks keeps its position; its event provides the text.
     return said === undefined ? guessed('', startSecs, startSecs) : timed(said, startSecs, voices[said.voice]?.language ?? '');
   });
 }

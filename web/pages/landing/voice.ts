@@ -78,7 +78,7 @@ export class Voices {
     better.hidden = true;
     const progress = (share: number) => (note.textContent = `${natural.name} is being fetched, once: ${Math.round(share * KOKORO_MB)} of ${KOKORO_MB} MB`);
     try {
-      // A text without a word: what speaks is made ready.
+      // Without text, only the voice is prepared.
       const figure = this.#player.currentFigure ?? '';
       await natural.speak({ eml: '<eml><body/></eml>', voice: natural.voiceOf(figure, 'en') }, { signal: new AbortController().signal, progress, take: () => undefined });
       addSpeechSource(natural);

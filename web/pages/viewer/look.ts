@@ -23,7 +23,7 @@ export function look(app: App): TemplateResult {
       label,
       now[key],
       (on) => {
-        // Somebody is always there: who takes the skin away sees bones, and the other way round.
+        // A figure is always visible: hiding the skin shows the bones, and the other way round.
         const other = !on && key === 'skin' ? { bones: true } : !on && key === 'bones' ? { skin: true } : {};
         set({ ...other, [key]: on });
       },

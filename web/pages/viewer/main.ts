@@ -29,9 +29,9 @@ const shell = new Shell<State, Tab>(app, {
 
 player.addEventListener('figurechange', () => app.redraw());
 player.addEventListener('seeked', () => app.sought());
-// A diagnostic comes late when an animation could not be fetched.
+// If an animation could not be fetched, its diagnostic arrives late.
 player.addEventListener('durationchange', () => (app.diagnostics = player.diagnostics.filter((d) => d.start !== undefined)));
-// The picture follows its new size a little later.
+// The rendered frame follows its new size a little later.
 new ResizeObserver(() => {
   app.redraw();
   setTimeout(() => app.redraw(), 200);

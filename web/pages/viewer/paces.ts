@@ -40,7 +40,7 @@ export class JointSpeeds {
    */
   follow(state: State, nowSecs: number): void {
     this.#histories = tracksOf(state).map(([place, track]) => {
-      // Undo brings other objects back, which stand in the same places.
+      // Undo restores other objects at the same positions.
       const before = this.#histories.find((course) => course.track === track) ?? this.#histories.find((course) => course.place === place);
       const { clip, speed } = track;
       const pace = before?.clip !== clip ? undefined : before.speed === speed ? before.pace : changed(before, nowSecs);

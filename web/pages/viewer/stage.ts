@@ -39,7 +39,7 @@ function steps(event: KeyboardEvent): Vector3 | undefined {
 function handlePlace(app: App, pose: PoseNow, name: LimbName): Vector | undefined {
   const limb = app.state.limbs[name];
   const end = endOf(pose, name);
-  // Over the crown: what is looked at is the face.
+  // Above the crown, because the user looks at the face.
   if (name === 'head') return end && along(end.position, end.axes[0], OVER_HEAD * pose.metresPerUnit);
   return limb.lead === 'place' ? toWorld(pose, limb.place) : end?.position;
 }
@@ -83,7 +83,7 @@ function handle(app: App, pose: PoseNow, name: LimbName, left: number, top: numb
       app.set((s) => {
         const { place, angles } = s.limbs[name];
         if (name === 'head') turnHead(angles, by[0], by[1], 3);
-        // To the right of the picture is the figure's left, from the front.
+        // From the front, the right of the image is the figure's left.
         else move(place, turned(app, by));
       });
     }}
@@ -127,7 +127,7 @@ function drag(app: App, pose: PoseNow, name: LimbName, event: PointerEvent): voi
     event,
     (now) => {
       const [dx, dy] = [now.clientX - from.x, now.clientY - from.y];
-      // A press that does not move chooses; it changes nothing.
+      // A press without movement selects and changes nothing.
       if (before === undefined && Math.hypot(dx, dy) < 3) return;
       if (before === undefined) {
         choose(app, name);
@@ -140,7 +140,7 @@ function drag(app: App, pose: PoseNow, name: LimbName, event: PointerEvent): voi
         app.change((s) => (s.limbs[name].angles = angles));
         return;
       }
-      // In the plane of the picture, through where it was.
+      // In the image plane through the previous position.
       const to = at && pose.camera.unproject({ x: at.x + dx, y: at.y + dy }, frame.width, frame.height, begun, pose.camera.forward);
       if (to !== undefined) app.change((s) => (s.limbs[name].place = toPlace(pose, to)));
     },

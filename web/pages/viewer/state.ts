@@ -124,7 +124,8 @@ export interface JointRange {
 
 const range = (name: string, least: number, most: number): JointRange => ({ name, least, most });
 
-// The forearm's range is divided between the two ways as in `crate/actor/src/manipulator/limits.rs`.
+// The forearm's range is divided between the two ways as in
+// `crate/actor/src/manipulator/limits.rs`.
 const ARM = [
   range('Shoulder, to the side', -63, 188.7),
   range('Shoulder, forwards', -83.3, 210.9),

@@ -25,7 +25,7 @@ function onTrack(player: string, where: string, track: Track, paceOf: SpeedOf): 
       ...(plain ? [] : [tag('animation-style', { playbackStyle: style, 'r:iterations': ends(style) && times !== 1 ? times : undefined })]),
       tracks,
     ]),
-    // Six digits, so that after minutes an animation is still where it was.
+    // Six digits, so that an animation is still in phase after minutes.
     ...(pace === undefined ? [] : [property(player, where, 'speed', String(Number(pace.speed.toFixed(6))))]),
     ...(pace === undefined && speed === 1 ? [] : [property(player, where, 'speed', speed, pace?.untilSecs)]),
     ...(on ? [] : [property(player, where, 'enable', false)]),
