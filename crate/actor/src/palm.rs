@@ -23,8 +23,9 @@ pub fn zero_fingers(side: Side) -> DVec3 {
 /// Normal out of the palm in the zero pose, world, unit.
 pub const ZERO_NORMAL: DVec3 = DVec3::NEG_Y;
 
-/// Returns the hand rotation for the palm's outward normal (world, engine axes; any length) and an
-/// angle about it by the left-hand rule, radians. `None` for a zero normal.
+/// Returns the world rotation of a hand whose palm faces `normal_in_world` (the normal points out
+/// of the palm; any length). `angle_rad` turns the hand about that normal by the left-hand rule, from
+/// the direction of the zero pose. `None` for a zero normal.
 #[must_use]
 pub fn hand_rotation(side: Side, normal_in_world: DVec3, angle_rad: f64) -> Option<DQuat> {
     let normal = normal_in_world.try_normalized()?;

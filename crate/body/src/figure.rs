@@ -190,8 +190,8 @@ impl Mesh {
         }
     }
 
-    /// Leaves out the vertices that no triangle has. Morph targets are not moved: a mesh that has some is
-    /// not for this.
+    /// Removes vertices that belong to no triangle and renumbers the rest. Morph targets are not
+    /// renumbered: do not call it on a mesh that has some.
     pub fn drop_unused(&mut self) {
         const GONE: u32 = u32::MAX;
         let mut to = vec![GONE; self.positions.len()];

@@ -77,8 +77,8 @@ impl Attribute {
         &self.direction
     }
 
-    /// Returns the attribute value of a face from its coefficients (equation 3.5): 0 for the
-    /// average.
+    /// Returns the attribute value of a face from its coefficients (F&H equation 3.5): 0 for the
+    /// average face.
     #[must_use]
     pub fn value(&self, space: &FaceSpace, coefficients: &[f64]) -> f64 {
         space.product(coefficients, &self.direction)

@@ -207,8 +207,9 @@ impl Span {
         }
     }
 
-    /// Returns the span seen from above or below, by the camera's elevation in radians: hands held
-    /// out in front of the figure appear lower or higher than at eye height.
+    /// Returns the vertical span of the figure for a camera at this elevation, radians, positive from
+    /// above. From above, hands held out in front appear lower than from eye height; from below,
+    /// higher.
     #[must_use]
     pub fn seen_from(self, elevation_rad: f64) -> Self {
         let shift = HELD_OUT * ops::sincos(elevation_rad).0 * (self.height() / AT_REST).min(1.0);

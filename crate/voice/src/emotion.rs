@@ -118,7 +118,8 @@ pub fn place_of(emotions: &[EmotionSpan], word: usize) -> EmotionPoint {
     })
 }
 
-/// Returns the phrases of all sentences as first and last word.
+/// Returns the phrases of all sentences, each as the indices of its first and last word in the
+/// utterance, both included.
 #[must_use]
 pub fn word_phrases(sentences: &[Planned], spoken: &[Spoken]) -> Vec<(usize, usize)> {
     let mut out = Vec::new();

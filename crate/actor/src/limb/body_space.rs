@@ -177,8 +177,8 @@ impl BodySpace {
         a + (b - a) * (level - below as f64)
     }
 
-    /// Returns the nearest wrist position outside trunk and head. Positions farther out than a few
-    /// hundredths of the half axes are unchanged.
+    /// Returns the nearest wrist position (world of the zero pose, metres) outside the ellipsoids of
+    /// trunk and head. Positions farther out than a few hundredths of their half axes are unchanged.
     #[must_use]
     pub fn project_outside(&self, p: DVec3) -> DVec3 {
         self.project(p, self.hand)

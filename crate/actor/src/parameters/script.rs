@@ -83,8 +83,8 @@ pub enum ParameterCommand {
     },
 }
 
-/// All commands of a script to control parameters with their story times, seconds, in any order; of
-/// simultaneous commands the last one counts.
+/// Timed commands that set control parameters of the face (GEVH D.3.27). Commands may be in any
+/// order; of simultaneous ones the last in the list counts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParameterScript {
     /// Commands with their story times, seconds.

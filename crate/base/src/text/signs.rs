@@ -75,7 +75,7 @@ impl DisplayedWords {
         self.is_parted = false;
     }
 
-    /// Adds signs that stand on their own.
+    /// Appends signs that belong to no word, such as a dash, an ampersand or an emoji.
     pub fn sign(&mut self, text: &str) {
         self.signs.push(text.to_owned());
     }

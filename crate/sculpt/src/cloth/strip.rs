@@ -147,8 +147,9 @@ impl<'a> LayingSurface<'a> {
         }
     }
 
-    /// Returns a path through corners in frontal or back view (the sign of their `z`), in steps of
-    /// `spacing` metres, slightly rounded.
+    /// Returns a path on the surface through `corners`, with a point about every `spacing` metres and
+    /// slightly rounded corners. A corner is projected along z onto the front if its `z` is positive,
+    /// else onto the back.
     #[must_use]
     pub fn path(&self, corners: &[DVec3], spacing: f64) -> Vec<SurfacePoint> {
         let mut out = Vec::new();

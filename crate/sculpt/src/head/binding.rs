@@ -101,8 +101,9 @@ pub struct Binding {
 }
 
 impl Binding {
-    /// Composes the table with two steps of subdivision, of the model's faces around the bound ones
-    /// only.
+    /// Prepares binding to a head model with these quads (vertex indices): for each bound point, the
+    /// weights of the model's vertices after two subdivision steps. Only quads near bound points are
+    /// subdivided.
     #[must_use]
     pub fn new(faces: &[[u32; 4]]) -> Self {
         let refined = refined(faces);

@@ -12,8 +12,9 @@ const AGES: [f64; 2] = [8.0, 80.0];
 const MAX_DETAIL: f64 = 0.6;
 
 impl Traits {
-    /// Returns person number `index` of a random crowd: any age, sex and mixture of ancestries;
-    /// details about the mean, two in three within ±0.2. The same `seed` gives the same person.
+    /// Returns person number `index` of a random crowd: any age, sex and mixture of ancestries.
+    /// Details scatter around the mean (0), two in three within ±0.2. The same `seed` and `index`
+    /// give the same person.
     #[must_use]
     pub fn random(details: &[Detail], seed: u64, index: u64) -> Self {
         let mut drawn = 0;

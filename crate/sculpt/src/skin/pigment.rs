@@ -140,7 +140,8 @@ const BLOOD_RANGE: [f64; 2] = [0.0006, 0.2];
 const OXYGEN_STEPS: usize = 8;
 const OXYGEN_RANGE: [f64; 2] = [0.3, 1.0];
 
-/// Lookup table of [`colour`], fast enough for a million texels.
+/// Lookup table of skin colours by melanin, blood and oxygen, the values of [`colour`]; fast enough
+/// for a million texels.
 #[derive(Clone, Debug)]
 pub struct Palette {
     table: Vec<[f32; 3]>,

@@ -59,8 +59,9 @@ impl PageBake {
         }
     }
 
-    /// Speaks the next utterance; returns false if there are no more. Engine errors are added to
-    /// the problems. An utterance whose engine is [`Pending`] stays the next.
+    /// Speaks the next utterance; returns false if there are no more. An engine error is recorded for
+    /// `take_problems`, and the bake continues. If the engine is [`Pending`], the next call tries the
+    /// same utterance again.
     ///
     /// # Errors
     /// Returns an error if no bundle can be created from the spoken text.

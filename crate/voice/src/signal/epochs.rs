@@ -15,7 +15,7 @@ use super::{PitchTrack, is_rate, scatter};
 /// Epoch (pitch mark) at which audio is cut into grains for changing pitch and duration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Epoch {
-    /// Time of the epoch, seconds.
+    /// Time of the epoch from the start of the signal, seconds.
     pub secs: f64,
     /// True if it marks a glottal period; otherwise it only divides unvoiced audio.
     pub voiced: bool,
