@@ -10,7 +10,7 @@ import { captured, decoded, tapInto, type Captured } from './tap.js';
 const LOUD = 0.5;
 const HZ = 210;
 /** The most by which one sample of the tone differs from the next. */
-const STEEPEST = (LOUD * 2 * Math.PI * HZ) / SAMPLE_RATE;
+const MAX_SLOPE = (LOUD * 2 * Math.PI * HZ) / SAMPLE_RATE;
 
 /** Returns a tone with soft start and end, so clicks can only come from playback. */
 function tone(secs: number): Float32Array {
@@ -115,8 +115,8 @@ test('pausing, seeking and changing the speed in the middle of a word do not cli
   expect(loudness(samples.filter((x) => !Number.isNaN(x)))).toBeGreaterThan(0.05);
   // A fade with a time constant of 2 ms adds its own slope, half the height over 88 samples: 1.38
   // of the tone's. The stretched tone may be out of phase by a little where windows cross.
-  console.log(`steepest ${steepest(samples).toFixed(4)}, of the tone ${STEEPEST.toFixed(4)}`);
-  expect(steepest(samples)).toBeLessThan(STEEPEST * 1.6);
+  console.log(`steepest ${steepest(samples).toFixed(4)}, of the tone ${MAX_SLOPE.toFixed(4)}`);
+  expect(steepest(samples)).toBeLessThan(MAX_SLOPE * 1.6);
 });
 
 test('what the browser decodes is as long as the bundle says, in each encoding and with the same start', async ({ stage, page }) => {

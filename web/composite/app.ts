@@ -196,7 +196,7 @@ export class App {
     this.#reading.changed(changedBy(act, this.held));
     if (this.#try(act, from)) {
       this.#moving.act = act;
-      if (this.held.length === 0) slopes.tell(this.#reading, act);
+      if (this.held.length === 0) slopes.setFrom(this.#reading, act);
     } else if (this.#moving.act !== undefined) perform(this.faces, this.#moving.act, this.held);
     this.#showing.moves = true;
     this.#changed([]);
@@ -270,8 +270,8 @@ export class App {
   #arrive(): void {
     const path = this.history.path();
     let from = path.length - 1;
-    while (from > 0 && this.#kept.of(path[from] ?? 0) === undefined) from -= 1;
-    const known = this.#kept.of(path[from] ?? 0);
+    while (from > 0 && this.#kept.get(path[from] ?? 0) === undefined) from -= 1;
+    const known = this.#kept.get(path[from] ?? 0);
     if (known === undefined) this.faces.average();
     else this.faces.restore(known);
     const last = path.length - 1;
@@ -370,7 +370,7 @@ export class App {
   }
 
   /** Reports an error. */
-  tell(text: string): void {
+  showMessage(text: string): void {
     this.page.say(text);
   }
 

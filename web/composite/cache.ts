@@ -18,7 +18,7 @@ export class Cache {
     }
   }
 
-  of(step: number): Uint8Array | undefined {
+  get(step: number): Uint8Array | undefined {
     return this.#faces.get(step);
   }
 

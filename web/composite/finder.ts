@@ -83,6 +83,6 @@ function proposals(app: App, index: Index, typed: string): TemplateResult {
     app.search = word;
     app.redraw();
   };
-  return html`<p class="none">Nothing has that name. Do you mean one of these?</p>
+  return html`<p class="none">There is no feature of that name. Do you mean one of these?</p>
     <div class="ways" role="group" aria-label="Similar spellings">${nearest(index, typed).map((word) => html`<button type="button" class="plain" @click=${take(word)}>${word}</button>`)}</div>`;
 }

@@ -113,6 +113,6 @@ export function handle(app: App, pad: HTMLElement): void {
 
 function placeAt(app: App, x: number, y: number): void {
   const spot = app.player.pickFace(x, y);
-  if (spot === undefined) app.tell('That is outside the head: click on the skin.');
+  if (spot === undefined) app.showMessage('That is outside the head: click on the skin.');
   else place(app, spot);
 }

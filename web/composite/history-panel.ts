@@ -73,7 +73,7 @@ export class HistoryPanel {
   }
 
   #entry(i: number, step: Step, isOn: boolean): TemplateResult {
-    const picture = this.thumbnails.of(i);
+    const picture = this.thumbnails.thumbnailOf(i);
     const from = branch(step, i);
     const current = i === this.app.history.here ? 'step' : 'false';
     return html`<li class=${isOn ? '' : 'aside'}><button type="button" class="plain step" aria-current=${current} @click=${() => this.app.goTo(i)}>

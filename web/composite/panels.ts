@@ -43,7 +43,7 @@ function feature(app: App, a: Attribute): TemplateResult {
   return html`<div class=${held === undefined ? 'feature' : 'feature fixed'} title=${a.derived ?? ''}>
     <div class="ends" aria-hidden="true"><span>${terms[0]}</span><span>${terms[1]}</span></div>
     ${also === '' ? nothing : html`<small class="also">${also}</small>`}
-    ${numberField({ label: of, value, min: -MAX_OFFSET, max: MAX_OFFSET, step: 0.01, text: told(value, terms), set: to, done: () => app.done() })}
+    ${numberField({ label: of, value, min: -MAX_OFFSET, max: MAX_OFFSET, step: 0.01, text: termOf(value, terms), set: to, done: () => app.done() })}
     <div class="steps">
       <button type="button" class="plain" aria-label="${of}: less" title=${terms[0]} @click=${() => step(-STEP)}>−</button>
       <button type="button" class="plain" aria-label="${of}: more" title=${terms[1]} @click=${() => step(STEP)}>+</button>
@@ -79,7 +79,7 @@ function asymmetry(app: App, { part, name }: Attribute, of: string): TemplateRes
 }
 
 /** Describes the value of an attribute. Between the average and none of something there is less of it. */
-export function told(value: number, [less, more]: Attribute['terms']): string {
+export function termOf(value: number, [less, more]: Attribute['terms']): string {
   const percent = Math.round(100 * Math.abs(value));
   if (percent === 0) return 'average';
   if (value > 0) return `${percent} percent ${more}`;

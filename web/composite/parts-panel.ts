@@ -22,7 +22,7 @@ export function parts(app: App, pictures: SegmentPictures): TemplateResult {
   };
   return html`<p class="about">Click on the face, with Shift for more than one segment: features, moves, ageing and caricature are limited to the selection, and blend at its border.</p>
     <fieldset class="segments"><legend class="unseen">Segments of the face</legend>
-      ${segments.map(({ name }) => tile(name, pictures.of(name), app.segments.has(name), (on) => toggle(name, on)))}
+      ${segments.map(({ name }) => tile(name, pictures.pictureOf(name), app.segments.has(name), (on) => toggle(name, on)))}
     </fieldset>
     <div class="row bar">
       ${choice('half', 'Halves', app.half ?? 'both', HALVES, (half) => {

@@ -30,7 +30,7 @@ export class Portraits {
   ) {}
 
   /** Returns the image of a face with the constraints applied, as a data URL; undefined until it is rendered. */
-  of(index: number): string | undefined {
+  portraitOf(index: number): string | undefined {
     return this.#pictures.get(this.#key(index));
   }
 
@@ -44,7 +44,7 @@ export class Portraits {
 
   /** Returns the number of these that are rendered. */
   done(indices: readonly number[]): number {
-    return indices.filter((index) => this.of(index) !== undefined).length;
+    return indices.filter((index) => this.portraitOf(index) !== undefined).length;
   }
 
   /** Renders the missing ones of these, with the constraints applied; earlier requests are dropped. */
@@ -67,7 +67,7 @@ export class Portraits {
   }
 
   #next(): number | undefined {
-    return this.#wanted.find((index) => this.of(index) === undefined);
+    return this.#wanted.find((index) => this.portraitOf(index) === undefined);
   }
 
   async #draw(): Promise<void> {

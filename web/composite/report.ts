@@ -4,7 +4,7 @@ import type { FacePart, Faces } from '../element/face/faces.js';
 import { label, signed, where } from './acts.js';
 import type { App } from './app.js';
 import { lookFacts } from './look-words.js';
-import { PARTS, told } from './panels.js';
+import { PARTS, termOf } from './panels.js';
 import { AGES, ANCESTRIES, SEXES } from './people.js';
 
 /** A value that is nearer to the average is written as 0.00. */
@@ -60,7 +60,7 @@ function groupsOf({ faces, values }: ReportInput): Report['groups'] {
       const value = values[part].get(a.name) ?? 0;
       if (a.part !== part || Math.abs(value) < MIN_VALUE) continue;
       const title = `${PARTS[part]}, ${a.group}`;
-      groups.set(title, [...(groups.get(title) ?? []), { name: a.name, term: told(value, a.terms), value: signed(value) }]);
+      groups.set(title, [...(groups.get(title) ?? []), { name: a.name, term: termOf(value, a.terms), value: signed(value) }]);
     }
   }
   return [...groups].map(([title, rows]) => ({ title, rows }));

@@ -81,7 +81,7 @@ export class SegmentPictures {
   constructor(private readonly faces: Faces) {}
 
   /** Returns the thumbnail of a segment, of the face at the time of the first request. */
-  of(name: string): string | undefined {
+  pictureOf(name: string): string | undefined {
     this.#pictures ??= this.#draw();
     return this.#pictures.get(name);
   }

@@ -63,7 +63,7 @@ export function start(app: App, portraits: Portraits): TemplateResult {
       ${shown.map((index) => {
         const person = people[index];
         const words = person === undefined ? `Face ${index + 1}` : describe(person);
-        const picture = portraits.of(index);
+        const picture = portraits.portraitOf(index);
         return html`<li><button type="button" class="plain" @click=${() => take(index)}>
           ${picture === undefined ? html`<span class="blank" aria-hidden="true"></span>` : html`<img src=${picture} width="120" height="150" alt="" />`}<span>${words}</span></button></li>`;
       })}

@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Tab } from './app.js';
-import { teller } from './teller.js';
+import { teller } from './performer-menu.js';
 
 export const TABS: Readonly<Record<Tab, string>> = {
   start: 'Faces',

@@ -27,7 +27,7 @@ export class Thumbnails {
   ) {}
 
   /** Returns the thumbnail of a step, as a data URL; undefined if there is none. */
-  of(step: number): string | undefined {
+  thumbnailOf(step: number): string | undefined {
     return this.#history === this.app.history ? this.#pictures.get(step) : undefined;
   }
 
@@ -46,7 +46,7 @@ export class Thumbnails {
 
   #take(): void {
     const { history, player, resting, view } = this.app;
-    if (!resting || !player.paused || this.of(history.here) !== undefined) return;
+    if (!resting || !player.paused || this.thumbnailOf(history.here) !== undefined) return;
     const picture = player.snapshot();
     if (picture === undefined) return;
     const small = cropped(picture, SIZE, Math.min(1, view.zoom / NEAR)).toDataURL('image/webp', 0.8);

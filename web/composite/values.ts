@@ -20,20 +20,20 @@ export class AttributeReading {
     for (const part of parts) this.#read.delete(part);
   }
 
-  of(part: FacePart): ReadonlyMap<string, number> {
+  valuesOf(part: FacePart): ReadonlyMap<string, number> {
     const known = this.#read.get(part);
     if (known !== undefined) return known;
     const own = this.faces.pack.attributes.filter((a) => a.part === part);
     const values = this.faces.values(part);
-    return this.told(part, new Map(own.map((a, i) => [a.name, values[i] ?? 0])));
+    return this.describe(part, new Map(own.map((a, i) => [a.name, values[i] ?? 0])));
   }
 
   get all(): Values {
-    return { shape: this.of('shape'), texture: this.of('texture') };
+    return { shape: this.valuesOf('shape'), texture: this.valuesOf('texture') };
   }
 
   /** Sets values computed otherwise than by measuring the face. */
-  told(part: FacePart, values: ReadonlyMap<string, number>): ReadonlyMap<string, number> {
+  describe(part: FacePart, values: ReadonlyMap<string, number>): ReadonlyMap<string, number> {
     this.#read.set(part, values);
     return values;
   }
@@ -47,7 +47,7 @@ export class AttributeSlopes {
   constructor(private readonly from: Values) {}
 
   /** Sets in `reading` the values after an action that starts at `from`; does nothing if the face must be measured. */
-  tell(reading: AttributeReading, act: Act): void {
+  setFrom(reading: AttributeReading, act: Act): void {
     if (act.kind !== 'add') return;
     const { from } = this;
     const key = JSON.stringify({ ...act, amount: 1 });
@@ -60,7 +60,7 @@ export class AttributeSlopes {
       return;
     }
     for (const part of ['shape', 'texture'] as const) {
-      reading.told(part, new Map([...this.#of[part]].map(([name, slope]) => [name, (from[part].get(name) ?? 0) + slope * act.amount])));
+      reading.describe(part, new Map([...this.#of[part]].map(([name, slope]) => [name, (from[part].get(name) ?? 0) + slope * act.amount])));
     }
   }
 }

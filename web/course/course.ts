@@ -259,7 +259,7 @@ export class Course {
     const report = this.#report();
     const isNews = report.isComplete && !this.#isComplete;
     this.#isComplete = report.isComplete;
-    this.#record.tell(report);
+    this.#record.save(report);
     if (isNews) this.#keep();
     else this.#timer ??= setTimeout(() => this.#keep(), Math.max(0, this.#keptMs + KEEP_MS - performance.now()));
   }

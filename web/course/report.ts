@@ -68,7 +68,7 @@ export interface Record {
   /** Begins a session as soon as the system answers. Rejects with a `RecordError` if there is no system. */
   open(): Promise<KnownLearner>;
   /** Takes the latest state; cheap, and called on every change. */
-  tell(report: Report): void;
+  save(report: Report): void;
   /** Takes a recent action of the learner, after `tell`; for records of actions. */
   note?(what: LearningEvent): void;
   /** Takes an answer, before the `tell` that counts it. */

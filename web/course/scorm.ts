@@ -248,7 +248,7 @@ export class Scorm implements Record {
     }
   }
 
-  tell({ placeSecs, progress, isComplete, memory, score, isPassed }: Report): void {
+  save({ placeSecs, progress, isComplete, memory, score, isPassed }: Report): void {
     if (this.#api === undefined) return;
     const { names } = this.#version;
     this.#last = memory;

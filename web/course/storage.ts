@@ -37,7 +37,7 @@ export class BrowserRecord implements Record {
     return key === this.#name && text !== null ? keptIn(text).memory : undefined;
   }
 
-  tell(report: Report): void {
+  save(report: Report): void {
     this.#last = report;
     // A page may go without a word.
     if (performance.now() - this.#keptMs >= FOLLOW_MS) this.keep();

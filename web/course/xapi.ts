@@ -174,7 +174,7 @@ export class XapiRecord implements Record {
     return [...own.slice(0, 1), ...older.map((statement) => movedTo(statement, session)), ...own.slice(1)];
   }
 
-  tell(report: Report): void {
+  save(report: Report): void {
     this.#last = report;
     if (this.#launch?.isReview !== true) this.#copy?.follow(this.#known(report.memory));
     // The earlier results are not known yet.

@@ -25,7 +25,7 @@ import { Playback } from './media/playback.js';
 import { hasCaptions, statisticsOf } from './story/show.js';
 import { FallbackFilm } from './story/fallback-film.js';
 import { StoryLoader } from './story/story-loader.js';
-import { telling } from './story/telling.js';
+import { startNarration } from './story/narration-handle.js';
 import { reducesMotion, Surroundings } from './base/surroundings.js';
 import { spare } from './base/fetching.js';
 import type { Answered, Score } from './base/answers.js';
@@ -120,7 +120,7 @@ export class RaconteurPlayer extends PlayerAttributes {
     started: false,
     onScreen: false,
     say: (text) => this.#say(text),
-    tell: (event) => this.#mind.tell(event),
+    notify: (event) => this.#mind.send(event),
     follow: () => this.#standIn.follow(),
     drawn: (secs) => this.follow(secs),
     advance: () => this.#frames.advance(),
@@ -311,7 +311,7 @@ export class RaconteurPlayer extends PlayerAttributes {
    * emotions derived from punctuation and function words. Speaks nothing while the player is paused.
    */
   tell(words: Words): NarrationHandle {
-    return telling(this.#context, this.#stories.stage(), words, () => this.interrupt());
+    return startNarration(this.#context, this.#stories.stage(), words, () => this.interrupt());
   }
 
   /**

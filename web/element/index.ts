@@ -5,7 +5,7 @@ import { register } from './register.js';
 export { addSpeechSource, speechServer } from '../speech/added.js';
 export { naturalVoice } from '../speech/natural.js';
 export type { ServerVoice, SpeechServer } from '../speech/server.js';
-export type { Said, Saying, SpeechJob, SpeechRequest, SpeechSource, SpokenAudio } from '../speech/source.js';
+export type { Said, Saying, SpeechReceiver, SpeechRequest, SpeechSource, SpokenAudio } from '../speech/source.js';
 export { RaconteurPlayer } from './element.js';
 export type { Answered, Score } from './base/answers.js';
 export type { LessonState } from './lesson/lesson.js';

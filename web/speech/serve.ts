@@ -9,14 +9,14 @@ import type { WorkerRequest, Part, Reply } from './messages.js';
 const BETWEEN_PARTS_MS = 1200;
 
 /** Text being spoken; `crate/say`. */
-interface SpeechJob {
+interface PendingSpeech {
   take(): Part;
   free(): void;
 }
 
 interface Speaker {
-  begin(eml: string, fragment: boolean, known: string | undefined): SpeechJob;
-  step(saying: SpeechJob): boolean;
+  begin(eml: string, fragment: boolean, known: string | undefined): PendingSpeech;
+  step(saying: PendingSpeech): boolean;
 }
 
 interface SpeechCommand {

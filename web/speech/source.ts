@@ -22,7 +22,7 @@ export interface SpokenAudio {
 }
 
 /** Receiver of the results, and a way to cancel. */
-export interface SpeechJob {
+export interface SpeechReceiver {
   readonly signal: AbortSignal;
   /** Called with the fetched share of the initially required data, 0 to 1. */
   readonly progress: (share: number) => void;
@@ -48,11 +48,11 @@ export interface SpeechSource {
    * Speaks a request; resolves when everything is spoken. Rejects with the signal's reason on abort, and with an `Error` with a readable sentence if nothing
    * can be spoken.
    */
-  speak(request: SpeechRequest, saying: SpeechJob): Promise<void>;
+  speak(request: SpeechRequest, saying: SpeechReceiver): Promise<void>;
 }
 
 /** @deprecated Use `SpokenAudio`. */
 export type Said = SpokenAudio;
 
-/** @deprecated Use `SpeechJob`. */
-export type Saying = SpeechJob;
+/** @deprecated Use `SpeechReceiver`. */
+export type Saying = SpeechReceiver;

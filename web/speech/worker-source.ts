@@ -1,7 +1,7 @@
 /** Engine that speaks in a worker of the page. */
 
 import type { WorkerRequest, Reply } from './messages.js';
-import type { SpeechJob, SpeechRequest, SpeechSource } from './source.js';
+import type { SpeechReceiver, SpeechRequest, SpeechSource } from './source.js';
 
 /** Time limit of an utterance; a slower worker counts as hung. The initial data is fetched meanwhile, and its progress restarts the timer. */
 const PATIENCE_MS = 60_000;
@@ -11,7 +11,7 @@ export interface Engine extends Pick<SpeechSource, 'name' | 'about' | 'license' 
   worker(): Promise<Worker>;
 }
 
-interface Waiting extends SpeechJob {
+interface Waiting extends SpeechReceiver {
   readonly resolve: () => void;
   readonly reject: (why: unknown) => void;
   timer?: ReturnType<typeof setTimeout>;
@@ -44,7 +44,7 @@ export class WorkerSource implements SpeechSource {
     return this.#engine.voiceOf(figure, language);
   }
 
-  async speak(request: SpeechRequest, saying: SpeechJob): Promise<void> {
+  async speak(request: SpeechRequest, saying: SpeechReceiver): Promise<void> {
     const { signal } = saying;
     signal.throwIfAborted();
     const worker = await this.#open();

@@ -4,16 +4,16 @@ import { clampRate, formatTime, spokenTime, StoryClock } from '../element/base/c
 test('rests where it was put, and waits for its anchor', () => {
   const clock = new StoryClock();
   clock.rest(4);
-  expect(clock.at(100)).toBe(4);
+  expect(clock.storyTimeAt(100)).toBe(4);
   clock.start(4, 10, 1);
-  expect(clock.at(9.9)).toBe(4);
-  expect(clock.at(10.5)).toBe(4.5);
+  expect(clock.storyTimeAt(9.9)).toBe(4);
+  expect(clock.storyTimeAt(10.5)).toBe(4.5);
 });
 
 test('speed changes how fast the story passes, and sourceAt is the inverse', () => {
   const clock = new StoryClock();
   clock.start(2, 10, 1.5);
-  expect(clock.at(12)).toBe(5);
+  expect(clock.storyTimeAt(12)).toBe(5);
   expect(clock.sourceAt(5)).toBe(12);
 });
 

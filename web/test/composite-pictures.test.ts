@@ -6,7 +6,7 @@ import type { Act } from '../composite/acts.js';
 import { turnsOf } from '../composite/film.js';
 import { History } from '../composite/history.js';
 import { branch } from '../composite/history-panel.js';
-import { told } from '../composite/panels.js';
+import { termOf } from '../composite/panels.js';
 import { fileName } from '../composite/pictures-panel.js';
 import { figureOf } from '../composite/plain.js';
 import { PRINT_SIZE, withDensity } from '../composite/print.js';
@@ -87,10 +87,10 @@ test('a report has what differs from the average, what is held, and the way to t
 });
 
 test('between the average and none there is less, not a share of none', () => {
-  expect(told(-0.54, ['none', 'many'])).toBe('54 percent less than average');
-  expect(told(-1.2, ['none', 'many'])).toBe('none');
-  expect(told(0.54, ['none', 'many'])).toBe('54 percent many');
-  expect(told(-0.54, ['short', 'long'])).toBe('54 percent short');
+  expect(termOf(-0.54, ['none', 'many'])).toBe('54 percent less than average');
+  expect(termOf(-1.2, ['none', 'many'])).toBe('none');
+  expect(termOf(0.54, ['none', 'many'])).toBe('54 percent many');
+  expect(termOf(-0.54, ['short', 'long'])).toBe('54 percent short');
 });
 
 test('a film turns once around, in equal steps, and does not end where it began', () => {
@@ -105,14 +105,14 @@ test('the latest small pictures are kept, and those of another history are not s
   const app = { history: new History(), resting: true, player: {} as never, view: { zoom: 7 } };
   const thumbnails = new Thumbnails(app, () => undefined);
   for (let step = 0; step < MAX_THUMBNAILS + 5; step += 1) thumbnails.keep(step, `data:${step}`);
-  expect(thumbnails.of(4)).toBeUndefined();
-  expect(thumbnails.of(5)).toBe('data:5');
-  expect(thumbnails.of(MAX_THUMBNAILS + 4)).toBe(`data:${MAX_THUMBNAILS + 4}`);
+  expect(thumbnails.thumbnailOf(4)).toBeUndefined();
+  expect(thumbnails.thumbnailOf(5)).toBe('data:5');
+  expect(thumbnails.thumbnailOf(MAX_THUMBNAILS + 4)).toBe(`data:${MAX_THUMBNAILS + 4}`);
   app.history = new History();
-  expect(thumbnails.of(5)).toBeUndefined();
+  expect(thumbnails.thumbnailOf(5)).toBeUndefined();
   thumbnails.keep(0, 'data:new');
-  expect(thumbnails.of(0)).toBe('data:new');
-  expect(thumbnails.of(5)).toBeUndefined();
+  expect(thumbnails.thumbnailOf(0)).toBe('data:new');
+  expect(thumbnails.thumbnailOf(5)).toBeUndefined();
 });
 
 test('a step says where it branches off', () => {

@@ -124,10 +124,10 @@ test('what nobody does by hand is refused by its name', () => {
 test('the latest faces are kept, and some of the others', () => {
   const cache = new Cache();
   for (let i = 0; i < 5000; i += 1) cache.keep(i, new Uint8Array(1));
-  expect(cache.of(4999)).toBeDefined();
-  expect(cache.of(4990)).toBeDefined();
-  expect(cache.of(32)).toBeDefined();
-  expect(cache.of(33)).toBeUndefined();
+  expect(cache.get(4999)).toBeDefined();
+  expect(cache.get(4990)).toBeDefined();
+  expect(cache.get(32)).toBeDefined();
+  expect(cache.get(33)).toBeUndefined();
 });
 
 test('faces by a description', () => {

@@ -39,9 +39,9 @@ async function session(more: object = {}, reports: readonly Report[] = [judged(8
   store.tokens = 0;
   const record = new XapiRecord(launchOf(true), COURSE, shelf());
   await record.open();
-  record.tell(report(1));
+  record.save(report(1));
   record.note({ kind: 'played' });
-  for (const it of reports) record.tell(it);
+  for (const it of reports) record.save(it);
   record.keep();
   record.close();
   await settled();
@@ -84,7 +84,7 @@ const ROWS: { readonly [section: string]: () => Promise<void> } = {
       store.tokens = 0;
       const record = new XapiRecord(launchOf(true), COURSE, kept);
       await record.open();
-      record.tell(report(57, true));
+      record.save(report(57, true));
       record.close();
       await settled();
     }
@@ -111,7 +111,7 @@ const ROWS: { readonly [section: string]: () => Promise<void> } = {
       store.tokens = 0;
       const record = new XapiRecord(launchOf(true), COURSE, kept);
       await record.open();
-      record.tell(judged(points, points > 5));
+      record.save(judged(points, points > 5));
       record.close();
       await settled();
     }
@@ -120,7 +120,7 @@ const ROWS: { readonly [section: string]: () => Promise<void> } = {
   '9.3.8 terminated': async () => {
     const record = await session();
     record.note({ kind: 'played' });
-    record.tell(judged(9, true));
+    record.save(judged(9, true));
     await settled();
     expect(told().map(verbOf).at(-1)).toBe('terminated');
     expect(typeof told().at(-1)?.result?.['duration']).toBe('string');

@@ -19,7 +19,7 @@ it('shows what the pages of the lessons keep', () => {
   ] as const) {
     const record = new BrowserRecord(course, storage);
     void record.open();
-    record.tell({ ...at, ...more });
+    record.save({ ...at, ...more });
     record.keep();
   }
   kept.set('raconteur-course:urn:d', 'no JSON');

@@ -72,7 +72,7 @@ class HeardEvent implements Record {
   }
 
   open = (): Promise<KnownLearner> => Promise.resolve(this.#known);
-  tell = ({ isPassed }: Report): void => void this.heard.push(isPassed);
+  save = ({ isPassed }: Report): void => void this.heard.push(isPassed);
   reply = ({ answered }: Reply): void => void this.heard.push(answered.name);
   keep = (): void => undefined;
   close = (): void => undefined;

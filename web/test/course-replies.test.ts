@@ -121,7 +121,7 @@ for (const system of SYSTEMS) {
       const replies = Array.from({ length: 6 }, (_, i) => randomReply(next, questions[i % 4]!));
       for (const reply of replies) {
         record.reply(reply);
-        record.tell(reportOf([reply], questions));
+        record.save(reportOf([reply], questions));
         record.keep();
       }
       record.close();

@@ -58,7 +58,7 @@ async function visit(next: Next, record: XapiRecord, questions: readonly Questio
     }
     isComplete ||= next() < 0.2;
     // The rules must hold for any statements of a course.
-    record.tell(judged(points, !isComplete || next() < 0.3 ? undefined : next() < 0.5, isComplete));
+    record.save(judged(points, !isComplete || next() < 0.3 ? undefined : next() < 0.5, isComplete));
     if (next() < 0.3) record.note({ kind: 'paused' });
     if (next() < 0.3) record.keep();
     await settled();
@@ -143,7 +143,7 @@ for (const isCmi5 of [false, true]) {
         store.tokens = 0;
         const record = new XapiRecord(launchOf(isCmi5), COURSE, kept);
         await record.open();
-        for (const it of reports) record.tell(it);
+        for (const it of reports) record.save(it);
         record.close();
         await settled();
       }
@@ -164,7 +164,7 @@ for (const isCmi5 of [false, true]) {
         expect(await record.open()).toMatchObject(time === 0 ? { memory: NOTHING, isComplete: false } : { memory: memoryAt(30), isComplete: true });
         await settled();
         store.isAway = true;
-        record.tell(judged(4, true));
+        record.save(judged(4, true));
         record.close();
         await settled();
       }
@@ -185,7 +185,7 @@ for (const isCmi5 of [false, true]) {
         const record = new XapiRecord(launchOf(isCmi5), COURSE, shelves);
         const { memory } = await record.open();
         if (shelves === kept) expect(memory).toEqual({ ...memoryAt(40), session: 2 });
-        record.tell({ ...judged(4, true), memory: { ...memoryAt(40), session: 2 } });
+        record.save({ ...judged(4, true), memory: { ...memoryAt(40), session: 2 } });
         record.close();
         await settled();
       }
@@ -197,7 +197,7 @@ it('the share that a cmi5 system wants is told to the course, and with what foll
   begin('Normal', { masteryScore: 0.6 });
   const record = new XapiRecord(launchOf(true), COURSE, undefined);
   expect(await record.open()).toMatchObject({ pass: 0.6 });
-  record.tell(judged(3, true));
+  record.save(judged(3, true));
   await settled();
   const extension = 'https://w3id.org/xapi/cmi5/context/extensions/masteryscore';
   expect(told().map(({ context }) => context.extensions[extension])).toEqual([undefined, undefined, 0.6]);
@@ -214,7 +214,7 @@ it('nothing is said of who only looks at it', async () => {
     await record.open();
     record.note({ kind: 'played' });
     record.reply(replyTo('choice', [option('x')], ['x']));
-    record.tell(judged(4, true));
+    record.save(judged(4, true));
     record.close();
     await settled();
     expect(told().map(verbOf)).toEqual(['initialized', 'terminated']);

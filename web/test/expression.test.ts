@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import type { EnvironmentExpression } from '../element/base/types.js';
-import { BANDS, bandOf, rulesOf, told } from '../pages/expression/rules.js';
+import { BANDS, bandOf, rulesOf, formatNumber } from '../pages/expression/rules.js';
 import { beginning, settingOf } from '../pages/expression/state.js';
 import { BAD, feltAt, GOOD, RAYS, rayOf, spotOf, stepFrom } from '../pages/expression/types.js';
 import { write } from '../pages/expression/write.js';
@@ -85,7 +85,7 @@ describe('the rules that fire', () => {
   });
 
   it('have numbers for people', () => {
-    expect([told(-2.14), told(-0.01), told(3), told(0.355, 2)]).toEqual(['−2.1', '0.0', '3.0', told(0.355, 2)]);
+    expect([formatNumber(-2.14), formatNumber(-0.01), formatNumber(3), formatNumber(0.355, 2)]).toEqual(['−2.1', '0.0', '3.0', formatNumber(0.355, 2)]);
   });
 });
 

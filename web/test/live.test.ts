@@ -35,7 +35,7 @@ test('whenever fragments are interrupted, they say nothing after, and what was s
       const spoken = before.words.filter((word) => word.startSecs < at).map((word) => word.text);
       expect(after?.words.map((word) => word.text) ?? []).toEqual(spoken);
     }
-    expect(script.at(0)).toBe(story);
+    expect(script.utteranceAt(0)).toBe(story);
     // Its caption is removed in time.
     const shorter = [...changes.values()].find((utterance) => utterance !== undefined);
     if (shorter !== undefined) expect(captionAt(captionsOf(script.byTime(), 'en'), at + 0.01)).toBeUndefined();

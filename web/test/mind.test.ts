@@ -101,10 +101,10 @@ test('what a mind sends is performed, and it is told the answers', () => {
   expect(last().sent.map((m) => m.kind)).toEqual(['hello', 'accepted']);
   // A slow reader misses lines, and gets a message about it.
   last().bufferedAmount = 2e6;
-  link?.tell({ kind: 'mark', timeSecs: 1, name: 'a' });
-  link?.tell({ kind: 'mark', timeSecs: 1, name: 'b' });
+  link?.send({ kind: 'mark', timeSecs: 1, name: 'a' });
+  link?.send({ kind: 'mark', timeSecs: 1, name: 'b' });
   last().bufferedAmount = 0;
-  link?.tell({ kind: 'mark', timeSecs: 1, name: 'c' });
+  link?.send({ kind: 'mark', timeSecs: 1, name: 'c' });
   expect(last().sent.slice(2)).toEqual([
     { kind: 'lost', count: 2 },
     { kind: 'mark', timeSecs: 1, name: 'c' },

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { addressOf } from '../element/engine/animations.js';
 import { SHELVED } from '../pages/viewer/clips.js';
-import { JointSpeeds } from '../pages/viewer/paces.js';
+import { SpeedHistory } from '../pages/viewer/paces.js';
 import { beginning, GROUPS, track, type State } from '../pages/viewer/state.js';
 import { anglesOf, targetNow, toPlace, toWorld } from '../pages/viewer/turns.js';
 import { write } from '../pages/viewer/write.js';
@@ -100,7 +100,7 @@ describe('the speed of an animation', () => {
 
   it('changes without a jump, by sliders and by undo, for each layer by itself', () => {
     let state = beginning();
-    const paces = new JointSpeeds(state);
+    const paces = new SpeedHistory(state);
     const text = () => write(state, (track) => paces.of(track));
     const follow = (secs: number, edit: () => void): void => {
       const before = [0, 1].map((layer) => phase(text(), layer, secs));
@@ -126,7 +126,7 @@ describe('the speed of an animation', () => {
 
   it('is that of the control all along from the start, and for another animation', () => {
     const state = beginning();
-    const paces = new JointSpeeds(state);
+    const paces = new SpeedHistory(state);
     const text = () => write(state, (track) => paces.of(track));
     for (const layer of state.layers) layer.speed = 2;
     paces.follow(state, 5);

@@ -26,13 +26,13 @@ for (const isCmi5 of [false, true]) {
     it('tells a session in its order, and ends it with the last statement', async () => {
       const record = new XapiRecord(launchOf(isCmi5), COURSE, shelf());
       expect(await record.open()).toMatchObject({ memory: NOTHING, isComplete: false });
-      record.tell(report(0));
+      record.save(report(0));
       record.note({ kind: 'played' });
-      record.tell(report(20));
+      record.save(report(20));
       record.note({ kind: 'seeked', fromSecs: 5 });
       record.note({ kind: 'paused' });
-      record.tell(report(57, true));
-      record.tell(report(58, true));
+      record.save(report(57, true));
+      record.save(report(58, true));
       record.keep();
       record.close();
       record.note({ kind: 'played' });
@@ -57,13 +57,13 @@ for (const isCmi5 of [false, true]) {
       const kept = shelf();
       const first = new XapiRecord(launchOf(isCmi5), COURSE, kept);
       await first.open();
-      first.tell(report(57, true));
+      first.save(report(57, true));
       first.close();
       await settled();
       store.tokens = 0;
       const again = new XapiRecord(launchOf(isCmi5), COURSE, kept);
       expect(await again.open()).toMatchObject({ memory: memoryAt(57), isComplete: true });
-      again.tell(report(58, true));
+      again.save(report(58, true));
       again.close();
       await settled();
       expect(verbs(store).filter((verb) => verb === 'completed')).toHaveLength(1);
@@ -72,7 +72,7 @@ for (const isCmi5 of [false, true]) {
     it('waits for a store that is away, and writes over nothing that it does not know', async () => {
       const first = new XapiRecord(launchOf(isCmi5), COURSE, undefined);
       await first.open();
-      first.tell(report(20));
+      first.save(report(20));
       first.close();
       await settled();
       store.tokens = 0;
@@ -97,7 +97,7 @@ for (const isCmi5 of [false, true]) {
         const troubles: unknown[] = [];
         record.troubles.listen((trouble) => troubles.push(trouble));
         const opened = record.open();
-        record.tell(report(isKilled ? 20 : 30));
+        record.save(report(isKilled ? 20 : 30));
         record.note({ kind: 'played' });
         record.keep();
         // Two hours.
@@ -111,7 +111,7 @@ for (const isCmi5 of [false, true]) {
         await vi.advanceTimersByTimeAsync(120_000);
         expect(troubles).toEqual(['away', undefined]);
         expect((await opened).memory.seen).toEqual([[0, 30]]);
-        record.tell(report(30));
+        record.save(report(30));
         record.close();
         await settled();
       }
@@ -133,7 +133,7 @@ for (const isCmi5 of [false, true]) {
       ] as const) {
         store.status = (method) => (method === 'GET' ? undefined : status);
         record.note({ kind: 'played' });
-        record.tell(report(status / 10));
+        record.save(report(status / 10));
         record.keep();
         await settled();
         expect([status, troubles.at(-1)]).toEqual([status, trouble]);
@@ -175,7 +175,7 @@ for (const isCmi5 of [false, true]) {
     it('is left as it was by who leaves before there is a story', async () => {
       const first = new XapiRecord(launchOf(isCmi5), COURSE, undefined);
       await first.open();
-      first.tell(report(20));
+      first.save(report(20));
       first.close();
       await settled();
       for (let visit = 0; visit < 2; visit++) {
@@ -205,7 +205,7 @@ for (const isCmi5 of [false, true]) {
             store.isAway = at % 3 === 0;
             store.losesAnswers = at % 7 === 1;
             const kind = (['played', 'paused', 'seeked'] as const)[at % 3 === 0 ? 0 : at % 5 === 0 ? 1 : 2];
-            record.tell(report(at / 20));
+            record.save(report(at / 20));
             record.note({ kind });
             made.push(kind);
             await settled();
@@ -243,7 +243,7 @@ describe('A launch', () => {
     prepare(store, 'Review');
     const record = new XapiRecord(launchOf(true), COURSE, undefined);
     await record.open();
-    record.tell(report(60, true));
+    record.save(report(60, true));
     record.close();
     await settled();
     expect(verbs(store)).toEqual(['initialized', 'terminated']);

@@ -16,7 +16,6 @@ mod diagnostic;
 mod document;
 mod durations;
 pub mod emoticon;
-mod feeling;
 mod gesture;
 mod hints;
 mod limits;
@@ -33,6 +32,7 @@ mod sorted;
 mod span;
 mod suggest;
 mod syntax;
+mod text_emotion;
 mod time_expr;
 mod timeline;
 mod voice;
@@ -44,9 +44,9 @@ pub use clauses::asking::{
     AskKind, AskOption, Assignment, Condition, Goto, Heading, Question, Reaction,
 };
 pub use clauses::environment::{
-    Arousal, Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Environment, Expressions,
-    Fidelity, Lead, Light, Music, Performer, Piece, PreferredHand, RunUp, ShotKind, StageSet,
-    Valence,
+    Arousal, Camera, CameraAngle, ControlSource, Emotion, EmotionKind, EmotionSpace, Environment,
+    Expressions, Fidelity, Light, Music, Performer, Piece, PreferredHand, RunUp, ShotKind,
+    StageSet, Valence,
 };
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
 pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};
@@ -77,7 +77,6 @@ pub use document::{
     Answer, Ask, Branch, Clause, ClauseId, ClauseKind, Document, Group, Part, Pool,
 };
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
-pub use feeling::Emoticon;
 pub use gesture::{
     Coords, GestureKey, Handedness, Interpolator, Key, MotionKey, PalmKey, Phase, Profile,
     ShapeKey, Space, Track,
@@ -90,6 +89,7 @@ pub use smol_str::SmolStr as Name;
 pub use sorted::SortedMap;
 pub use span::{LineIndex, Position, Span};
 pub use suggest::{nearest, quoted};
+pub use text_emotion::Emoticon;
 pub use time_expr::{NameTerm, TimeExpr};
 pub use timeline::{Resolved, TimedClause, Timeline};
 pub use voice::{DivKind, Mark, MarkEvent, TextSegment, VoiceText, Word};

@@ -361,7 +361,7 @@ impl Faces {
         let affine = Affine {
             scale: three(scale)?,
             turn_rad: three(turn_rad)?,
-            way_m: three(way_m)?,
+            translation_m: three(way_m)?,
         };
         self.editor.transform(&mut self.face, &affine, &region);
         Ok(())

@@ -122,8 +122,8 @@ pub enum ReshapeError {
         expected: usize,
     },
     /// There is no hair donor of this name.
-    #[error("there is no figure {0:?} that lends its hair")]
-    NoLender(String),
+    #[error("there is no hair donor {0:?}")]
+    NoDonor(String),
     /// A number of the face is not finite.
     #[error("the face holds a number that is not finite")]
     NotFinite,

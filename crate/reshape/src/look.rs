@@ -140,7 +140,7 @@ impl Reshaper {
                 None => own.clone(),
                 Some(name) => {
                     let lender = lenders.get(name);
-                    let lender = lender.ok_or_else(|| ReshapeError::NoLender(name.to_owned()))?;
+                    let lender = lender.ok_or_else(|| ReshapeError::NoDonor(name.to_owned()))?;
                     lender.fit_hair(self, face)?
                 }
             };

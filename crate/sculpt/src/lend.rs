@@ -154,11 +154,11 @@ fn skin(head: &MeshPart, beard: &[DVec3], middle: DVec3) -> MeshPart {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::people::lenders;
+    use crate::people::hair_donors;
 
     #[test]
     fn a_beard_is_lent_with_the_skin_that_it_stands_on() {
-        let params = lenders::params("moustache").expect("a moustache");
+        let params = hair_donors::params("moustache").expect("a moustache");
         let lent = lender(&params);
         let mesh = |name: &str| lent.meshes.iter().find(|m| m.name == name);
         let vertices = Mannequin::from_params(&params).head_parts[0].vertices.len();

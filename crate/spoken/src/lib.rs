@@ -51,11 +51,12 @@ pub fn word_of(emotion: &Emotion) -> Option<&'static str> {
 /// ```
 /// use raconteur_spoken::spoken_clauses;
 ///
-/// let script = "<eml><body><voice-text time='0'>Hello!</voice-text></body></eml>";
+/// let script = "<eml><body><voice-text time='0'>Hello!</voice-text>\
+///     <voice-text time='2'>Hello!</voice-text></body></eml>";
 /// let parsed = raconteur_eml::parse(script);
 /// let spoken = spoken_clauses(&parsed.document);
-/// assert_eq!(spoken.len(), 1);
-/// assert_eq!(spoken[0].key(), spoken[0].key(), "the same clause has the same key");
+/// assert_eq!(spoken.len(), 2);
+/// assert_eq!(spoken[0].key(), spoken[1].key(), "the same speech has the same key");
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SpokenClause<'d> {

@@ -275,7 +275,7 @@ impl Shot {
 }
 
 /// Maximum elevation of the view, radians: straight down there is no upper edge.
-const STEEPEST_RAD: f64 = 1.5;
+const MAX_TILT_RAD: f64 = 1.5;
 
 /// Offset of the camera from that of the shot, for inspecting the figure from another direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -298,7 +298,7 @@ impl View {
     pub fn apply(&self, camera: &Camera) -> Camera {
         let distance = (camera.eye_in_world - camera.target_in_world).magnitude();
         let (sin, cos) = ops::sincos(self.turn_rad);
-        let (rise, level) = ops::sincos(self.tilt_rad.clamp(-STEEPEST_RAD, STEEPEST_RAD));
+        let (rise, level) = ops::sincos(self.tilt_rad.clamp(-MAX_TILT_RAD, MAX_TILT_RAD));
         let target_in_world =
             camera.target_in_world + DVec3::new(cos * self.right_m, self.up_m, -sin * self.right_m);
         let towards_eye = DVec3::new(sin * level, rise, cos * level);

@@ -46,7 +46,7 @@ pub struct Set {
 
 /// Density of the thickest fog, per metre: a third is left of a wall three metres behind.
 /// Chosen by eye.
-const THICKEST_FOG: f32 = 0.40;
+const MAX_FOG: f32 = 0.40;
 
 impl Set {
     /// Names of the stage sets in stories and options.
@@ -205,7 +205,7 @@ impl Set {
             glow,
             // Light sources also light the air.
             fog: std::array::from_fn(|i| 0.5 * (low[i] + high[i]) + 0.12 * glow[i]),
-            fog_density: THICKEST_FOG * mist.clamp(0.0, 1.0),
+            fog_density: MAX_FOG * mist.clamp(0.0, 1.0),
             ..self
         }
     }
@@ -250,7 +250,7 @@ mod tests {
             assert_eq!(lit, Set { fog, ..set }, "{name}");
             let blue = set.lit([0.5, 0.5, 1.0], 0.5, 2.0);
             assert!((blue.floor[0] - 0.25 * set.floor[0]).abs() < 1e-6, "{name}");
-            assert!((blue.fog_density - THICKEST_FOG).abs() < 1e-6, "{name}");
+            assert!((blue.fog_density - MAX_FOG).abs() < 1e-6, "{name}");
         }
     }
 }

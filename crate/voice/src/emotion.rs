@@ -13,11 +13,12 @@ pub struct EmotionSpan {
     pub name: String,
     /// Position in the emotion space at full strength.
     pub place: EmotionPoint,
-    /// Index of the first word of the span.
+    /// Index of the first word of the span, where the emotion starts to rise.
     pub first_word: usize,
-    /// … strongest at the begin of this one; one beyond the last is at the end …
+    /// Index of the word at whose start the emotion is strongest; one past the last word means the
+    /// end of that word.
     pub apex_word: usize,
-    /// … until the end of this one.
+    /// Index of the last word of the span, at whose end the emotion is over.
     pub last_word: usize,
     /// True if the emotion rises and falls linearly, as for emoticons; otherwise it is constant
     /// over the span.

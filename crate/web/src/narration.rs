@@ -17,29 +17,29 @@ struct ClauseSplit<'t> {
 #[derive(Serialize)]
 struct NarratedFragment {
     fragment: String,
-    feels: String,
+    emotion: String,
 }
 
 /// Returns the script that narrates a text in a language (BCP 47), up to a number of characters,
 /// phrase by phrase or not; undefined if it has no word.
 #[wasm_bindgen]
 #[must_use]
-pub fn narrate(text: &str, language: &str, phrased: bool, most: usize) -> Option<String> {
+pub fn narrate(text: &str, language: &str, phrased: bool, max_chars: usize) -> Option<String> {
     let options = NarrationOptions {
         language,
         is_phrased: phrased,
-        most,
+        max_chars,
     };
     narration::narrate(text, &options)
 }
 
-/// Returns `{fragment, feels}`: the fragment that continues the narration after a text that ended
+/// Returns `{fragment, emotion}`: the fragment that continues the narration after a text that ended
 /// with the emotion `felt`, and its own final emotion; undefined if it has no word.
 #[wasm_bindgen(js_name = continueNarration)]
 pub fn continue_narration(text: &str, language: &str, felt: &str) -> Result<JsValue, JsError> {
     match narration::continue_narration(text, language, felt) {
-        Some(narration::NarratedFragment { fragment, feels }) => {
-            plain(&NarratedFragment { fragment, feels })
+        Some(narration::NarratedFragment { fragment, emotion }) => {
+            plain(&NarratedFragment { fragment, emotion })
         }
         None => Ok(JsValue::UNDEFINED),
     }

@@ -397,7 +397,7 @@ impl Player {
         Ok(status as u32)
     }
 
-    /// Makes the figure on stage read a text, with at least `room` as framing margin.
+    /// Makes the figure on stage read a text, with at least `margin` as framing margin.
     pub(crate) fn read_again(
         &mut self,
         eml: &str,
@@ -424,9 +424,9 @@ impl Player {
 }
 
 impl Player {
-    /// Returns the options of a performance, with this amount of idle motion and at least `room` as
+    /// Returns the options of a performance, with this amount of idle motion and at least `margin` as
     /// framing margin.
-    pub(crate) fn options(&self, motion: f64, room: FramingMargin) -> Options {
+    pub(crate) fn options(&self, motion: f64, margin: FramingMargin) -> Options {
         Options {
             motion_amount: if motion.is_nan() {
                 1.0
@@ -435,7 +435,7 @@ impl Player {
             },
             // Reduced motion implies cuts.
             moving_camera: motion.is_nan() || motion >= LITTLE_MOTION,
-            room,
+            margin,
             handedness: self.handedness,
             language: self.language,
             ..Options::default()

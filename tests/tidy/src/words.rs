@@ -14,9 +14,13 @@ const QUESTIONS: [&str; 14] = [
 ];
 
 /// Prefixes of limits that are spelled `MAX_` or `MIN_`.
-const SUPERLATIVES: [&str; 9] = [
-    "MOST", "LEAST", "LONGEST", "SHORTEST", "LARGEST", "FASTEST", "SLOWEST", "DEEPEST", "WIDEST",
+const SUPERLATIVES: [&str; 16] = [
+    "MOST", "LEAST", "LONGEST", "SHORTEST", "LARGEST", "SMALLEST", "FASTEST", "SLOWEST", "DEEPEST",
+    "WIDEST", "HIGHEST", "LOWEST", "FARTHEST", "STEEPEST", "FINEST", "FEWEST",
 ];
+
+/// Function names that say nothing about what is constructed or evaluated.
+const BARE: [&str; 2] = ["of", "at"];
 
 /// Keywords before the name of a type or function, in Rust and TypeScript.
 const KEYWORDS: [&str; 8] = [
@@ -59,13 +63,21 @@ fn declared(line: &str) -> Option<&str> {
         .by_ref()
         .take(5)
         .find(|word| KEYWORDS.contains(word))
-        .and_then(|_| words.next())?;
+        .and_then(|_| words.next());
+    // The macros `words!` and `record!` of `eml` declare types as a name, its tag and a brace.
+    let name = name.or_else(|| {
+        let line = line.strip_prefix("    ").filter(|l| l.ends_with('{'))?;
+        let (name, rest) = line.split_once(' ')?;
+        (rest == "{" || rest.starts_with("= \"")).then_some(name)
+    })?;
     Some(name.split(|c| !is_name(c)).next().unwrap_or_default())
 }
 
 /// The names of constants that a line declares with a superlative instead of `MAX` or `MIN`.
 fn superlative(line: &str) -> Option<&str> {
-    let (_, rest) = line.split_once("const ")?;
+    let (_, rest) = line
+        .split_once("const ")
+        .or_else(|| line.split_once("static "))?;
     let name = rest.split(|c| !is_name(c)).next().unwrap_or_default();
     let head = name.split('_').next().unwrap_or_default();
     SUPERLATIVES.contains(&head).then_some(name)
@@ -78,7 +90,7 @@ fn summaries(text: &str, is_rust: bool) -> Vec<(usize, &str)> {
     for (i, line) in text.lines().enumerate() {
         let line = line.trim_start();
         if is_rust {
-            let doc = line.strip_prefix("///");
+            let doc = line.strip_prefix("///").or(line.strip_prefix("//!"));
             if let Some(doc) = doc.filter(|_| !in_comment) {
                 found.push((i + 1, doc.trim_start()));
             }
@@ -143,11 +155,19 @@ fn no_declaration_has_a_former_name() {
         let mut is_deprecated = false;
         let mut found = Vec::new();
         for (i, line) in text.lines().enumerate() {
-            let name = declared(line).filter(|name| former.contains(*name));
+            let is_bare = |name: &str| {
+                BARE.contains(&name)
+                    && [" ", "<", "("]
+                        .iter()
+                        .any(|end| line.contains(&["fn ", name, end].concat()))
+                    && !line.trim_start().starts_with('/')
+            };
+            let is_refused = |name: &&str| former.contains(*name) || is_bare(name);
+            let name = declared(line).filter(is_refused);
             if let Some(name) = name.filter(|_| !is_deprecated) {
                 found.push((
                     i + 1,
-                    format!("{name} is a former name, see docs/glossary.md"),
+                    format!("{name} is a former name or a bare preposition, see docs/glossary.md"),
                 ));
             }
             is_deprecated = line.contains("@deprecated");

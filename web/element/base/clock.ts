@@ -22,7 +22,7 @@ export class StoryClock {
   }
 
   /** Returns the story time at a time of the source. */
-  at(source: number): number {
+  storyTimeAt(source: number): number {
     if (!this.#running) return this.#position;
     return this.#position + this.#rate * Math.max(0, source - this.#anchor);
   }

@@ -21,7 +21,7 @@ export interface NarrationFunctions {
   /**
    * Returns the fragment that continues the narration after a text that ended with the emotion `felt`, and its own final emotion; undefined if it has no word.
    */
-  continueNarration(text: string, language: string, felt: string): { readonly fragment: string; readonly feels: string } | undefined;
+  continueNarration(text: string, language: string, emotion: string): { readonly fragment: string; readonly emotion: string } | undefined;
   /** Returns the clauses of a text that arrives in pieces, and the remainder that may continue; with `whole` the text is complete. */
   splitClauses(text: string, language: string, whole: boolean): { readonly clauses: readonly string[]; readonly rest: string };
 }

@@ -15,7 +15,7 @@ export class LiveScript implements Iterable<Utterance> {
     this.#story = story;
   }
 
-  at(index: number): Utterance | undefined {
+  utteranceAt(index: number): Utterance | undefined {
     return this.#story[index] ?? this.#live.get(index);
   }
 

@@ -7,7 +7,7 @@ import type { SpotKind } from '../base/face-types.js';
 /** Count of numbers per spot in the engine's output. */
 const NUMBERS = 7;
 /** The fewest of all freckles that a face with some has. */
-const FEWEST = 0.12;
+const MIN_COUNT = 0.12;
 /** Rings of which a spot is painted, as parts of its radius: its border is soft. */
 const RINGS = [1, 0.75, 0.5];
 
@@ -40,7 +40,7 @@ export class Speckles {
     };
     if (freckles > 0) {
       const alpha = (strength: number): number => (0.12 + 0.38 * strength) * (0.35 + 0.65 * freckles);
-      this.#each(context, share('freckles', FEWEST + (1 - FEWEST) * freckles), { radius: [0.0004, 0.001], colour: 'rgb(198 148 114)', alpha });
+      this.#each(context, share('freckles', MIN_COUNT + (1 - MIN_COUNT) * freckles), { radius: [0.0004, 0.001], colour: 'rgb(198 148 114)', alpha });
     }
     if (ageSpots > 0) this.#each(context, share('ageSpots', ageSpots), { radius: [0.0009, 0.0034], colour: 'rgb(202 168 140)', alpha: (strength) => 0.18 + 0.26 * strength });
     if (moles > 0) {

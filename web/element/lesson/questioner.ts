@@ -95,7 +95,7 @@ export class Questioner {
   }
 
   #took(taken: ReturnType<Lesson['answer']>): Answered | undefined {
-    const { player, show, tell, say } = this.#contextOf();
+    const { player, show, notify: tell, say } = this.#contextOf();
     if (taken === undefined || show === undefined) return undefined;
     const { answered, turn } = taken;
     fire(player, 'answer', answered);
@@ -132,7 +132,7 @@ export class Questioner {
     const { asked } = this.lesson;
     if (asked?.name === this.#told) return;
     this.#told = asked?.name;
-    const { player, show, say, tell, keepTime } = this.#contextOf();
+    const { player, show, say, notify: tell, keepTime } = this.#contextOf();
     this.form.open(asked, show?.story, this.lesson.seed);
     this.#limit.start(asked?.limitSecs, this.form.words);
     if (asked !== undefined) {

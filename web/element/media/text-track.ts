@@ -19,7 +19,7 @@ export interface Step {
   /** A cue that ends wants the story to pause. */
   readonly pauses: boolean;
   /** Dispatches the events of the cues and the track. */
-  tell(): void;
+  notify(): void;
 }
 
 interface CueChange {
@@ -142,7 +142,7 @@ export class StoryTextTrack extends EventTarget {
       for (const { cue, type } of told) cue.dispatchEvent(new Event(type));
       this.dispatchEvent(new Event('cuechange'));
     };
-    return { pauses: over.some(({ pauseOnExit }) => pauseOnExit), tell };
+    return { pauses: over.some(({ pauseOnExit }) => pauseOnExit), notify: tell };
   }
 }
 

@@ -119,7 +119,7 @@ export class StoryTextTracks extends EventTarget {
     }
     const steps = all.map((track) => track.march(secs)).filter((step): step is Step => step !== undefined);
     if (steps.some(({ pauses }) => pauses)) pause();
-    for (const { tell } of steps) tell();
+    for (const { notify: tell } of steps) tell();
   }
 
   #changed(type: 'addtrack' | 'removetrack', track: StoryTextTrack): void {

@@ -58,7 +58,7 @@ export class Transport {
   /** Audible story time. */
   get position(): number {
     if (this.#clock.running) {
-      this.#latest = Math.max(this.#latest, this.#clock.at(this.#voice.heard()));
+      this.#latest = Math.max(this.#latest, this.#clock.storyTimeAt(this.#voice.heard()));
     }
     // An open-ended performance keeps the duration that it has reached.
     if (this.openEnded) this.extend(this.#latest);

@@ -21,8 +21,8 @@ export class MindConnection {
     return this.#link?.listening ?? this.#awaited;
   }
 
-  tell(event: MindEvent): void {
-    this.#link?.tell(event);
+  send(event: MindEvent): void {
+    this.#link?.send(event);
   }
 
   /** Connects to the mind that the attribute names, and closes the connection before. */

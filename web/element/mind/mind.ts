@@ -81,7 +81,7 @@ export class MindLink {
   }
 
   /** Sends an event to the mind, if it is connected and reads. */
-  tell(event: MindEvent): void {
+  send(event: MindEvent): void {
     const socket = this.#socket;
     if (socket?.readyState !== WebSocket.OPEN) return;
     if (socket.bufferedAmount > MAX_UNREAD_BYTES) {
@@ -115,7 +115,7 @@ export class MindLink {
     socket.onopen = () => {
       this.#openedMs = performance.now();
       this.#refused = 0;
-      this.tell({ kind: 'hello', version: 1, ...this.#host.hello() });
+      this.send({ kind: 'hello', version: 1, ...this.#host.hello() });
       this.#host.state('open');
     };
     socket.onmessage = ({ data }) => this.#hear(socket, data);
@@ -176,7 +176,7 @@ export class MindLink {
   #answer(socket: WebSocket, answers: readonly Answer[]): void {
     this.#refused = answers.some((a) => a.kind === 'failed' && a.code === 'live::busy') ? this.#refused + 1 : 0;
     // Other problems were reported as cues.
-    for (const answer of answers) if (answer.kind === 'accepted' || answer.code === 'live::interrupted') this.tell(answer);
+    for (const answer of answers) if (answer.kind === 'accepted' || answer.code === 'live::interrupted') this.send(answer);
     if (this.#refused >= MAX_REFUSED) socket.close(4008);
   }
 }

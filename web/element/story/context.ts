@@ -82,7 +82,7 @@ export interface PlayerContext {
   /** Announces a change to screen readers. */
   say(text: string): void;
   /** Sends an event to the mind, if one is connected. */
-  tell(event: MindEvent): void;
+  notify(event: MindEvent): void;
   /** Synchronises the content shown instead of a picture with the story. */
   follow(): void;
   /** Handles a rendered frame of a time, or a change of canvas, voice or size. */

@@ -7,10 +7,10 @@ import type { TransportEvent } from '../media/transport.js';
 import type { Cue } from '../base/performance.js';
 
 /** Reports a cue to the mind and to the page. */
-export function passCue({ player, diagnostics, tell }: PlayerContext, cue: Cue, show: Show): void {
+export function passCue({ player, diagnostics, notify: tell }: PlayerContext, cue: Cue, show: Show): void {
   tell(cue);
   if (cue.kind === 'word') {
-    const word = show.script.at(cue.utterance)?.words[cue.word];
+    const word = show.script.utteranceAt(cue.utterance)?.words[cue.word];
     if (word !== undefined) fire(player, 'word', { word, utterance: cue.utterance, index: cue.word });
   } else if (cue.kind === 'clause' || cue.kind === 'storyevent' || cue.kind === 'phone' || cue.kind === 'utterance') {
     fire(player, cue.kind, cue);
@@ -22,7 +22,7 @@ export function passCue({ player, diagnostics, tell }: PlayerContext, cue: Cue, 
 
 /** Reports a transport event to the mind, the page and screen readers; a finished seek is rendered first. */
 export function passTransport(context: PlayerContext, event: TransportEvent): void {
-  const { player, say, tell } = context;
+  const { player, say, notify: tell } = context;
   if (event === 'seeking') {
     takeBackSeek(player);
     dispatch(player, 'seeking');

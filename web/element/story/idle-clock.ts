@@ -10,7 +10,7 @@ const MAX_HZ = 15;
 /** Maximum share of the time for rendering: slow devices render fewer frames. */
 const MAX_SHARE = 0.25;
 /** But one a second; fewer would be a row of stills. */
-const MIN_SPEED_MS = 1000;
+const MAX_INTERVAL_MS = 1000;
 /** Maximum time of the screen's own frame; the remainder is rendering time. */
 const SCREEN_MS = 17;
 
@@ -61,11 +61,11 @@ export class IdleClock {
       this.#measuring = false;
       this.#costMs = Math.max(since - SCREEN_MS, 0.8 * this.#costMs);
     }
-    const pause = Math.min(MIN_SPEED_MS, Math.max(1000 / MAX_HZ, this.#costMs / MAX_SHARE));
+    const pause = Math.min(MAX_INTERVAL_MS, Math.max(1000 / MAX_HZ, this.#costMs / MAX_SHARE));
     if (this.#drawnMs !== undefined && since < pause - 1) return;
     this.#drawnMs = nowMs;
     // After a hidden page or a long task the story continues where it was.
-    this.#waitedMs += Math.min(since, MIN_SPEED_MS);
+    this.#waitedMs += Math.min(since, MAX_INTERVAL_MS);
     this.#draw();
     this.#measuring = true;
   }

@@ -35,7 +35,7 @@ const LATER = new Set(['live::busy', 'live::full', 'live::absent']);
 class Speaker {
   readonly #stage: NarrationContext;
   readonly #end: AbortSignal;
-  #feels = 'neutral';
+  #emotion = 'neutral';
   /** End of all accepted speech. */
   #endSecs = 0;
 
@@ -45,7 +45,7 @@ class Speaker {
   }
 
   async say(clause: string): Promise<void> {
-    const made = this.#stage.telling.continueNarration(clause, this.#stage.language, this.#feels);
+    const made = this.#stage.telling.continueNarration(clause, this.#stage.language, this.#emotion);
     if (made === undefined) return;
     for (let tries = 0; tries < MAX_TRIES; tries++) {
       await this.#until(AHEAD_SECS);
@@ -54,7 +54,7 @@ class Speaker {
       const clauses = answers.flatMap((answer) => (answer.kind === 'accepted' ? answer.clauses : []));
       const said = clauses.filter(({ element }) => element === 'voice-text');
       this.#endSecs = Math.max(this.#endSecs, ...said.map(({ endSecs }) => endSecs));
-      this.#feels = made.feels;
+      this.#emotion = made.emotion;
       if (clauses.length > 0 || !answers.some((answer) => answer.kind === 'failed' && LATER.has(answer.code))) return;
       await this.#look();
     }

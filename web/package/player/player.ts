@@ -4,7 +4,7 @@ import { register } from '../../element/register.js';
 
 export { addSpeechSource, speechServer } from '../../speech/added.js';
 export type { ServerVoice, SpeechServer } from '../../speech/server.js';
-export type { Said, Saying, SpeechJob, SpeechRequest, SpeechSource, SpokenAudio } from '../../speech/source.js';
+export type { Said, Saying, SpeechReceiver, SpeechRequest, SpeechSource, SpokenAudio } from '../../speech/source.js';
 export { RaconteurPlayer } from '../../element/element.js';
 export type { ElementEventMap, MediaEventMap, PlayerEventMap } from '../../element/base/events.js';
 export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from '../../element/face/faces.js';

@@ -3,7 +3,7 @@
 import { html, svg, type TemplateResult } from 'lit';
 import { follow, keySteps, vars } from '../fields.js';
 import type { App } from './app.js';
-import { BANDS, bandOf, told } from './rules.js';
+import { BANDS, bandOf, formatNumber } from './rules.js';
 import { feltAt, rayOf, RAYS, spotOf, stepFrom, STRONGEST, type CurrentEmotion, type EmotionRay } from './types.js';
 
 /** Half the width of the image, in units in which the disc's rim has `RIM`; the next constant is half the height. */
@@ -48,7 +48,7 @@ export function disc(app: App): TemplateResult {
   const ray = rayOf(emotion);
   const spot = ray === undefined ? { x: 0, y: 0 } : spotOf(ray, (RIM * potential) / STRONGEST);
   const place = { '--left': `${(50 + (50 * spot.x) / WIDE).toFixed(2)}%`, '--top': `${(50 - (50 * spot.y) / HIGH).toFixed(2)}%` };
-  const said = ray === undefined ? 'neutral' : `${emotion}, potential ${told(potential)}, ${bandOf(potential).name}`;
+  const said = ray === undefined ? 'neutral' : `${emotion}, potential ${formatNumber(potential)}, ${bandOf(potential).name}`;
   return html`<button type="button" class="disc" @pointerdown=${press} @keydown=${key} aria-label="Emotion: ${said}. Up and down choose the next type, left and right its potential, Home is neutral.">
       <svg viewBox="${-WIDE} ${-HIGH} ${2 * WIDE} ${2 * HIGH}" aria-hidden="true">
         <circle class="rim" r=${RIM} />

@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { check, choice, numberField, vars } from '../fields.js';
 import type { App } from './app.js';
-import { BANDS, bandOf, rulesOf, told, type Rule } from './rules.js';
+import { BANDS, bandOf, rulesOf, formatNumber, type Rule } from './rules.js';
 import { settingOf, type Channels, type StageSet, type Side } from './state.js';
 import { BAD, GOOD, POTENTIAL_STEP, STRONGEST, type EmotionName } from './types.js';
 
@@ -22,7 +22,7 @@ export function types(app: App): TemplateResult {
 }
 
 /** Renders the tick on the slider at which the shot changes. */
-const tick = ({ from }: { readonly from: number }): TemplateResult => html`<li ${vars({ '--share': String(from / STRONGEST) })}>${told(from)}</li>`;
+const tick = ({ from }: { readonly from: number }): TemplateResult => html`<li ${vars({ '--share': String(from / STRONGEST) })}>${formatNumber(from)}</li>`;
 
 /** Strength, channels and set. */
 export function setting(app: App): TemplateResult {
@@ -35,7 +35,7 @@ export function setting(app: App): TemplateResult {
         min: 0,
         max: STRONGEST,
         step: POTENTIAL_STEP,
-        text: `${told(potential)}, ${bandOf(potential).name}`,
+        text: `${formatNumber(potential)}, ${bandOf(potential).name}`,
         set: (value) => app.change(app.edit((s) => (s.potential = value))),
         done: () => app.done(),
       })}

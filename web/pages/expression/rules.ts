@@ -50,7 +50,7 @@ const MOODY = 1;
 const AROUSED = 0.6;
 
 /** A number for people: with a true minus, and no more digits than are read. */
-export const told = (n: number, digits = 1): string => {
+export const formatNumber = (n: number, digits = 1): string => {
   const text = Math.abs(n).toFixed(digits);
   return n < 0 && Number(text) !== 0 ? `−${text}` : text;
 };
@@ -66,8 +66,8 @@ function angleRule({ emotion, angle }: EnvironmentExpression): Rule {
 function shotRule({ potential }: EnvironmentExpression): Rule {
   const { from, name, rule } = bandOf(potential);
   const next = BANDS.find((band) => band.from > potential)?.from;
-  const range = next === undefined ? `from ${told(from)} on` : `in [${told(from)}; ${told(next)})`;
-  return { channel: 'camera', text: `Potential ${told(potential)} ${range} → ${name}`, source: `3.5.4.1, rule ${rule}` };
+  const range = next === undefined ? `from ${formatNumber(from)} on` : `in [${formatNumber(from)}; ${formatNumber(next)})`;
+  return { channel: 'camera', text: `Potential ${formatNumber(potential)} ${range} → ${name}`, source: `3.5.4.1, rule ${rule}` };
 }
 
 function colorRule({ emotion, color }: EnvironmentExpression): Rule {
@@ -77,16 +77,20 @@ function colorRule({ emotion, color }: EnvironmentExpression): Rule {
 
 function lossRule({ emotion, intensity, attenuation, brightness }: EnvironmentExpression): Rule {
   const isGood = GOOD.some((name) => name === emotion);
-  const share = `${told(intensity)}/${STRONGEST}`;
+  const share = `${formatNumber(intensity)}/${STRONGEST}`;
   const [sense, how, equation] = isGood ? ['Positive', `min(0.5, 1 − ${share})`, '3.1'] : ['Negative', `max(0.25, ${share})`, '3.2'];
-  return { channel: 'light', text: `${sense}: attenuation ${how} = ${told(attenuation, 2)} → ${told(100 * brightness, 0)} % as bright`, source: `equation ${equation}` };
+  return {
+    channel: 'light',
+    text: `${sense}: attenuation ${how} = ${formatNumber(attenuation, 2)} → ${formatNumber(100 * brightness, 0)} % as bright`,
+    source: `equation ${equation}`,
+  };
 }
 
 /** Returns the name of the mood, and the bounds that define it. */
 function moodOf({ valence, arousal }: EnvironmentExpression): string {
   const tone = valence > MOODY ? `above ${MOODY}, good` : valence < -MOODY ? `below −${MOODY}, bad` : `within ±${MOODY}, neutral`;
   const active = arousal > AROUSED ? `above ${AROUSED}, active` : `not above ${AROUSED}, calm`;
-  return `Mood ${told(valence)} (${tone}), arousal ${told(arousal)} (${active})`;
+  return `Mood ${formatNumber(valence)} (${tone}), arousal ${formatNumber(arousal)} (${active})`;
 }
 
 /** Returns the piece without its folder and extension; the part added by arousal has its own file. */
@@ -118,7 +122,7 @@ export function rulesOf(expressed: EnvironmentExpression, channels: Channels): r
   const isFelt = [...GOOD, ...BAD].some((name) => name === emotion) && potential > 0;
   const feeling: Rule = {
     channel: 'feeling',
-    text: isFelt ? `${capital(emotion)}, potential ${told(potential)}, intensity ${told(expressed.intensity)}` : 'No emotion: no rule applies',
+    text: isFelt ? `${capital(emotion)}, potential ${formatNumber(potential)}, intensity ${formatNumber(expressed.intensity)}` : 'No emotion: no rule applies',
     source: isFelt ? '3.5.4' : '',
   };
   const of = (channel: keyof Channels, rules: () => readonly Rule[]): readonly Rule[] => {

@@ -6,7 +6,7 @@ import { PageState } from '../page-state.js';
 import { leastTilt } from '../pad.js';
 import { minus, readPose, type PoseNow } from '../../element/engine/pose.js';
 import { jointsNow } from './joints.js';
-import { JointSpeeds } from './paces.js';
+import { SpeedHistory } from './paces.js';
 import { beginning, type LimbName, type State } from './state.js';
 import { targetNow } from './turns.js';
 import { write } from './write.js';
@@ -25,7 +25,7 @@ export class App extends PageState<State> {
   view: View = FRONT;
   /** Pose of the picture; undefined before the first frame. */
   pose: PoseNow | undefined;
-  readonly #paces = new JointSpeeds(this.state);
+  readonly #paces = new SpeedHistory(this.state);
   /** Reference shot of the view: height of its centre and camera distance, metres. Until known, those of a person of medium height. */
   #shot = { height: 0.9, distance: 5 };
   #lookedMs = -Infinity;

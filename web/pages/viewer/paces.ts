@@ -3,7 +3,7 @@
 import { GROUPS, type State, type Track } from './state.js';
 
 /** History of an animation up to its last speed change, as if played at a constant speed until then. */
-export interface JointSpeed {
+export interface SpeedChange {
   readonly untilSecs: number;
   readonly speed: number;
 }
@@ -14,7 +14,7 @@ interface TrackHistory {
   readonly track: Track;
   readonly clip: string;
   readonly speed: number;
-  readonly pace: JointSpeed | undefined;
+  readonly pace: SpeedChange | undefined;
 }
 
 /** Returns the tracks of the active player, by position. */
@@ -27,7 +27,7 @@ function tracksOf({ mechanism, layers, groups }: State): [string, Track][] {
 const SOON_SECS = 0.05;
 
 /** The paces of all tracks. */
-export class JointSpeeds {
+export class SpeedHistory {
   #histories: readonly TrackHistory[] = [];
 
   constructor(state: State) {
@@ -49,7 +49,7 @@ export class JointSpeeds {
   }
 
   /** Returns the pace of a track; undefined if its speed never changed. */
-  of(track: Track): JointSpeed | undefined {
+  of(track: Track): SpeedChange | undefined {
     return this.#histories.find((course) => course.track === track)?.pace;
   }
 
@@ -62,7 +62,7 @@ export class JointSpeeds {
   }
 }
 
-function changed({ speed, pace }: TrackHistory, nowSecs: number): JointSpeed | undefined {
+function changed({ speed, pace }: TrackHistory, nowSecs: number): SpeedChange | undefined {
   if (nowSecs < SOON_SECS) return undefined;
   const { untilSecs, speed: first } = pace ?? { untilSecs: 0, speed };
   const covered = first * untilSecs + speed * (nowSecs - untilSecs);

@@ -2,7 +2,7 @@
 
 import { SETTLED_SECS } from '../page-state.js';
 import { script, tag } from '../../speech/markup.js';
-import type { JointSpeed } from './paces.js';
+import type { SpeedChange } from './paces.js';
 import { ends, GROUPS, LIMBS, LOOK, track as stand, type Limb, type LimbName, type Look, type State, type Track } from './state.js';
 
 /** Duration of the script, seconds; then it restarts. */
@@ -11,7 +11,7 @@ export const LENGTH_SECS = 600;
 const MOVE_SECS = 0.6;
 
 /** The pace that a track had before its speed changed, if it did. */
-type SpeedOf = (track: Track) => JointSpeed | undefined;
+type SpeedOf = (track: Track) => SpeedChange | undefined;
 
 /** Writes the clauses of one track of a player: animation, speed, and audibility. */
 function onTrack(player: string, where: string, track: Track, paceOf: SpeedOf): string[] {

@@ -72,10 +72,10 @@ impl Clip {
     /// Returns the distance that the clip moves the figure from its place, share of stature.
     #[must_use]
     pub fn travel(&self) -> f64 {
-        const LOOKS: u32 = 32;
+        const BASE_EXPRESSIONS: u32 = 32;
         self.root.as_ref().map_or(0.0, |root| {
-            let at = |i: u32| self.duration_secs * f64::from(i) / f64::from(LOOKS);
-            (0..=LOOKS)
+            let at = |i: u32| self.duration_secs * f64::from(i) / f64::from(BASE_EXPRESSIONS);
+            (0..=BASE_EXPRESSIONS)
                 .map(|i| {
                     let [left, up, front, _] = root.sample(at(i));
                     DVec3::new(left, up, front).length()

@@ -8,7 +8,7 @@ use raconteur_speech::emotion::{self, EmotionPoint};
 
 use super::basic::{BASICS, BasicEmotion};
 use super::expression::Expression;
-use super::look::{self, BaseExpression, LOOKS};
+use super::look::{self, BASE_EXPRESSIONS, BaseExpression};
 
 /// Emotion space in which neighbouring basic emotions are blended into an expression.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -69,9 +69,9 @@ const COUNTS: [f64; BASICS] = [1.0, 1.0, 0.5, 0.5, 1.0, 1.0];
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ExpressionWeights {
     /// Weights for muscles without antagonists and for all other controls.
-    pub free: [f64; LOOKS],
+    pub free: [f64; BASE_EXPRESSIONS],
     /// Weights for muscles with antagonists, before opposing muscles are balanced.
-    pub bound: [f64; LOOKS],
+    pub bound: [f64; BASE_EXPRESSIONS],
 }
 
 /// Returns polar coordinates on the activation-evaluation disc: the angle from full evaluation
@@ -223,7 +223,7 @@ impl ExpressionWeights {
 
     /// Adds so much of another.
     pub(super) fn add(&mut self, other: &Self, factor: f64) {
-        for i in 0..LOOKS {
+        for i in 0..BASE_EXPRESSIONS {
             self.free[i] += factor * other.free[i];
             self.bound[i] += factor * other.bound[i];
         }

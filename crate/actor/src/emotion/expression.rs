@@ -5,7 +5,7 @@ use raconteur_body::face::{ANTAGONISTS, FaceControls, Muscle as M};
 
 use super::basic::BasicEmotion;
 use super::look::BaseExpression;
-use crate::parameters::{DIALS, FaceControl};
+use crate::parameters::{FACE_CONTROLS, FaceControl};
 
 /// Returns true if a control is of a muscle that has antagonists.
 #[must_use]
@@ -20,13 +20,13 @@ pub fn has_antagonist(dial: FaceControl) -> bool {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expression {
     /// Control values in the order of [`FaceControl::index`].
-    pub values: [f64; DIALS],
+    pub values: [f64; FACE_CONTROLS],
 }
 
 impl Default for Expression {
     fn default() -> Self {
         Self {
-            values: [0.0; DIALS],
+            values: [0.0; FACE_CONTROLS],
         }
     }
 }
@@ -125,7 +125,7 @@ mod tests {
             settled.limit();
             assert_eq!(settled, face, "{basic:?}");
             // Another module controls the eyes.
-            for i in 0..DIALS {
+            for i in 0..FACE_CONTROLS {
                 let dial = FaceControl::from_index(i).expect("a dial");
                 assert!(
                     !dial.name().starts_with("Gaze") || face.value(dial) == 0.0,

@@ -9,7 +9,7 @@ use super::basic::{BASICS, BasicEmotion, Share, m};
 use crate::parameters::FaceControl;
 
 /// Number of base expressions: six of basic emotions, nine of single words.
-pub const LOOKS: usize = BASICS + 9;
+pub const BASE_EXPRESSIONS: usize = BASICS + 9;
 
 /// Base expression from which facial expressions are blended: of a basic emotion, or specific to
 /// one emotion word.
@@ -163,7 +163,7 @@ const WINK_LEFT: &[Share] = &[
 
 impl BaseExpression {
     /// All base expressions, in the order of [`BaseExpression::index`].
-    pub const ALL: [Self; LOOKS] = [
+    pub const ALL: [Self; BASE_EXPRESSIONS] = [
         Self::Basic(BasicEmotion::Joy),
         Self::Basic(BasicEmotion::Surprise),
         Self::Basic(BasicEmotion::Disgust),

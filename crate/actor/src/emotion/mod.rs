@@ -13,7 +13,7 @@ mod wink;
 pub use basic::{BASICS, BasicEmotion};
 pub use blend::{Affect, EmotionSpace, ExpressionWeights, polar};
 pub use expression::{Expression, has_antagonist};
-pub use look::{BaseExpression, LOOKS};
+pub use look::{BASE_EXPRESSIONS, BaseExpression};
 pub use signs::EmotionSigns;
 pub use track::{Breathing, EmotionSpan, EmotionTrack, MIN_SECS};
 

@@ -3,7 +3,7 @@
 mod words;
 
 use super::*;
-use crate::parameters::{DIALS, FaceControl};
+use crate::parameters::{FACE_CONTROLS, FaceControl};
 use raconteur_base::{DVec3, noise, ops};
 use raconteur_body::face::{ANTAGONISTS, Muscle};
 use raconteur_speech::emotion::{EmotionPoint, WORDS, place};
@@ -76,7 +76,7 @@ fn at_a_basic_emotion_its_own_expression_stands_scaled_by_the_ratio() {
                 let new = basic.place().scaled(ratio);
                 let face = ExpressionWeights::from_point(new, space).expression();
                 let same = ExpressionWeights::scaled(basic, ratio).expression();
-                for i in 0..DIALS {
+                for i in 0..FACE_CONTROLS {
                     let wanted = ratio * full.values[i];
                     assert!(
                         (face.values[i] - wanted).abs() < 1e-12,
@@ -95,7 +95,7 @@ fn scaling_an_emotion_scales_its_contractions() {
         let full = ExpressionWeights::from_point(place, space).expression();
         for factor in [0.2, 0.5, 0.9] {
             let face = ExpressionWeights::from_point(place.scaled(factor), space).expression();
-            for i in 0..DIALS {
+            for i in 0..FACE_CONTROLS {
                 let wanted = factor * full.values[i];
                 assert!(
                     (face.values[i] - wanted).abs() < 1e-12,
@@ -126,7 +126,7 @@ fn blends_of_muscles_without_antagonist_lie_between_those_of_the_neighbours() {
         };
         let taking = BasicEmotion::ALL.map(|b| (mixture.free[b as usize] > 0.0).then_some(b));
         let mut shares = 0.0;
-        for i in 0..DIALS {
+        for i in 0..FACE_CONTROLS {
             let dial = FaceControl::from_index(i).expect("a dial");
             if has_antagonist(dial) {
                 continue;
@@ -341,7 +341,7 @@ fn power_tells_anger_from_fear_where_the_disc_cannot() {
     let reproach = place("reproach").expect("a word");
     let shares = |space: EmotionSpace| ExpressionWeights::from_point(reproach, space).free;
     let (disc, sphere) = (shares(EmotionSpace::Disc), shares(EmotionSpace::Sphere));
-    let of = |shares: [f64; LOOKS], b: BasicEmotion| shares[b as usize];
+    let of = |shares: [f64; BASE_EXPRESSIONS], b: BasicEmotion| shares[b as usize];
     assert!(
         of(disc, BasicEmotion::Fear) > 0.1 && of(disc, BasicEmotion::Anger) == 0.0,
         "the disc shows fear without anger"

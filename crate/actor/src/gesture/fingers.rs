@@ -6,7 +6,7 @@ use raconteur_base::profile::Profile;
 use raconteur_body::hand_shape::HandAngles;
 
 use super::RestPostures;
-use super::pace::MAX_SPEED_FINGER_RAD_S;
+use super::pace::MAX_FINGER_SPEED_RAD_S;
 use super::tracks::piece_at;
 
 /// Lead of finger formation: fingers take this share less of the time, so they form slightly before
@@ -79,7 +79,7 @@ impl FingerTrack {
         let mut time_secs = time_secs;
         if let (Some(t), Some(last)) = (self.times.last(), self.nodes.last_mut()) {
             let turn_rad = last.angles().greatest_difference(&node.angles());
-            time_secs = time_secs.max(t + turn_rad / MAX_SPEED_FINGER_RAD_S);
+            time_secs = time_secs.max(t + turn_rad / MAX_FINGER_SPEED_RAD_S);
             last.profile = profile;
         }
         self.times.push(time_secs);

@@ -10,10 +10,10 @@ use super::path::reach_secs;
 pub(super) const MAX_SPEED_M_S: f64 = 2.2;
 /// Maximum mean turn rate of a hand, radians per second: half a turn takes a fifth of a second.
 /// Designed.
-pub(super) const MAX_SPEED_TURN_RAD_S: f64 = 15.0;
+pub(super) const MAX_TURN_SPEED_RAD_S: f64 = 15.0;
 /// Fastest mean speed of a finger joint, radians a second: a fist closes in a tenth of a
 /// second at best. Designed.
-pub(super) const MAX_SPEED_FINGER_RAD_S: f64 = 18.0;
+pub(super) const MAX_FINGER_SPEED_RAD_S: f64 = 18.0;
 /// Distance within which a key repeats the previous place and keeps it, metres.
 pub(super) const SAME_PLACE_M: f64 = 1e-6;
 /// Turns and finger angles within this are one, radians.
@@ -54,7 +54,7 @@ impl MoveDurations {
             return Self::default();
         }
         Self {
-            min_secs: turn_rad / MAX_SPEED_TURN_RAD_S,
+            min_secs: turn_rad / MAX_TURN_SPEED_RAD_S,
             easy_secs: TURN_SECS[0] + TURN_SECS[1] * turn_rad,
         }
     }
@@ -66,7 +66,7 @@ impl MoveDurations {
             return Self::default();
         }
         Self {
-            min_secs: turn_rad / MAX_SPEED_FINGER_RAD_S,
+            min_secs: turn_rad / MAX_FINGER_SPEED_RAD_S,
             easy_secs: SHAPING_SECS,
         }
     }

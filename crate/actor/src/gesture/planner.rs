@@ -6,7 +6,7 @@ mod flow;
 use raconteur_base::{DQuat, DVec3, Length, Side};
 
 use super::fingers::FingerTrack;
-use super::pace::{MAX_SPEED_M_S, MAX_SPEED_TURN_RAD_S, MoveDurations, SHAPING_SECS};
+use super::pace::{MAX_SPEED_M_S, MAX_TURN_SPEED_RAD_S, MoveDurations, SHAPING_SECS};
 use super::path::reach_secs;
 use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, phrases};
 use super::tracks::{HandTrack, WristTrack};
@@ -367,7 +367,7 @@ impl<'a> Planner<'a> {
         let mut time = time.max(track.last_secs());
         if let (Some(from), Some(to)) = (track.last(), hand) {
             let turn_rad = from.angle_between(to);
-            time = time.max(track.last_secs() + turn_rad / MAX_SPEED_TURN_RAD_S);
+            time = time.max(track.last_secs() + turn_rad / MAX_TURN_SPEED_RAD_S);
         }
         track.push(time, hand, course);
         time

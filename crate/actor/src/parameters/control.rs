@@ -28,7 +28,7 @@ const DIRECT: [(&str, bool); 18] = [
 ];
 
 /// Number of face controls: all muscles and the direct parameters.
-pub const DIALS: usize = MUSCLES + DIRECT.len();
+pub const FACE_CONTROLS: usize = MUSCLES + DIRECT.len();
 
 /// Face control that can be set individually: a muscle, or a direct parameter of a part that no
 /// muscle moves. Holds its index; muscles come first.
@@ -62,7 +62,7 @@ impl FaceControl {
     /// Returns the control of an index; `None` beyond the last.
     #[must_use]
     pub fn from_index(index: usize) -> Option<Self> {
-        (index < DIALS).then_some(Self(index as u8))
+        (index < FACE_CONTROLS).then_some(Self(index as u8))
     }
 
     /// Returns the index of the control: muscles first, then direct parameters.
@@ -152,7 +152,7 @@ mod tests {
     fn each_dial_moves_what_its_name_says_and_nothing_else() {
         let rest = FaceControls::default();
         let mut seen: Vec<String> = Vec::new();
-        for i in 0..DIALS {
+        for i in 0..FACE_CONTROLS {
             let dial = FaceControl::from_index(i).expect("a dial");
             assert_eq!(dial.index(), i);
             assert!(!dial.name().is_empty(), "the dial has a name");
@@ -174,8 +174,8 @@ mod tests {
         }
         seen.sort();
         seen.dedup();
-        assert_eq!(seen.len(), DIALS, "no two move the same");
-        assert_eq!(FaceControl::from_index(DIALS), None);
+        assert_eq!(seen.len(), FACE_CONTROLS, "no two move the same");
+        assert_eq!(FaceControl::from_index(FACE_CONTROLS), None);
         assert_eq!(FaceControl::JAW.name(), "Jaw");
         assert_eq!(FaceControl::UPPER_LID_LEFT.name(), "UpperLidLeft");
         assert_eq!(FaceControl::LOWER_LID_LEFT.name(), "LowerLidLeft");
@@ -189,7 +189,7 @@ mod tests {
     #[test]
     fn full_values_reach_the_ends_of_the_ranges() {
         let mut asked = FaceControls::default();
-        for i in 0..DIALS {
+        for i in 0..FACE_CONTROLS {
             FaceControl::from_index(i)
                 .expect("a dial")
                 .add(1.0, &mut asked);

@@ -9,7 +9,7 @@ mod script;
 mod track;
 
 pub use clip::ParameterClip;
-pub use control::{DIALS, FaceControl};
+pub use control::{FACE_CONTROLS, FaceControl};
 pub use curve::{Curve, SET_SECS, STEP_SECS};
 pub use name::{Parameter, ParameterTarget, VISEMES};
 pub use script::{Adsr, ParameterCommand, ParameterScript, PlaybackStyle};

@@ -4,7 +4,7 @@ use raconteur_body::face::MUSCLES;
 use raconteur_speech::emotion::WORDS;
 use raconteur_speech::phones::{self, PhoneTargets};
 
-use super::control::{DIALS, FaceControl};
+use super::control::{FACE_CONTROLS, FaceControl};
 
 /// The visemes of OpenXR's `XR_META_face_tracking_visemes`, each with a phone that has it, by
 /// the name of its row in [`phones`].
@@ -52,7 +52,7 @@ pub struct Parameter(u8);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ParameterTarget {
     /// A muscle, or a direct parameter of the face.
-    Dial(FaceControl),
+    Control(FaceControl),
     /// The mouth of a phone.
     Viseme(&'static PhoneTargets),
     /// An emotion, by its word in [`WORDS`].
@@ -61,7 +61,7 @@ pub enum ParameterTarget {
 
 impl Parameter {
     /// Number of parameters.
-    pub(super) const COUNT: usize = DIALS + VISEMES.len() + WORDS.len();
+    pub(super) const COUNT: usize = FACE_CONTROLS + VISEMES.len() + WORDS.len();
 
     /// Returns every parameter that a name stands for, case-insensitively; none for an unknown
     /// name. `ZygomaticusMajorLeft` is one muscle, `ZygomaticusMajor` both, `Frontalis` all four;
@@ -80,7 +80,7 @@ impl Parameter {
             return true;
         }
         match self.target() {
-            ParameterTarget::Dial(_) => {
+            ParameterTarget::Control(_) => {
                 let begins = own
                     .get(..name.len())
                     .is_some_and(|begin| begin.eq_ignore_ascii_case(name));
@@ -111,7 +111,7 @@ impl Parameter {
         if let Some(dial) = FaceControl::from_index(index) {
             return dial.name();
         }
-        let index = index - DIALS;
+        let index = index - FACE_CONTROLS;
         match index.checked_sub(VISEMES.len()) {
             None => VISEMES[index].0,
             Some(word) => WORDS[word].0,
@@ -123,9 +123,9 @@ impl Parameter {
     pub fn target(self) -> ParameterTarget {
         let index = self.index();
         if let Some(dial) = FaceControl::from_index(index) {
-            return ParameterTarget::Dial(dial);
+            return ParameterTarget::Control(dial);
         }
-        let index = index - DIALS;
+        let index = index - FACE_CONTROLS;
         match index.checked_sub(VISEMES.len()) {
             None => {
                 let phone = phones::by_name(VISEMES[index].1);
@@ -166,7 +166,7 @@ fn is_of_parts(mut rest: &str) -> bool {
 
 // Parameters are counted in a byte.
 const _: () = assert!(
-    Parameter::COUNT <= 256 && MUSCLES <= DIALS,
+    Parameter::COUNT <= 256 && MUSCLES <= FACE_CONTROLS,
     "parameters fit a byte and muscles are dials"
 );
 

@@ -76,7 +76,7 @@ impl ParameterTrack {
         for (parameter, curve) in Parameter::all().zip(curves) {
             let Some(curve) = curve else { continue };
             match parameter.target() {
-                ParameterTarget::Dial(dial) => track.dials.push((dial, curve)),
+                ParameterTarget::Control(dial) => track.dials.push((dial, curve)),
                 ParameterTarget::Viseme(targets) => track.visemes.push((targets, curve)),
                 ParameterTarget::Emotion(word) => track.emotions.push((word, curve)),
             }

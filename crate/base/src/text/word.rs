@@ -5,9 +5,9 @@ use std::borrow::Cow;
 /// Written word, split into its readable part and the punctuation around it.
 #[derive(Debug, Clone)]
 pub struct Word<'a> {
-    /// Everything, with letters and their marks composed.
+    /// The whole word with its punctuation, letters and their marks composed (NFC).
     pub raw: Cow<'a, str>,
-    /// Without quotes, brackets, dashes and punctuation around; may be empty.
+    /// The word without surrounding quotes, brackets, dashes and punctuation; may be empty.
     pub core: String,
     /// The punctuation of `,.;:!?` after it, an ellipsis being a full stop.
     pub end: String,

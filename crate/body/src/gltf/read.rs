@@ -6,11 +6,11 @@
 pub mod accessor;
 #[allow(missing_docs, reason = "the fields are those of glTF")]
 pub mod document;
-mod hung;
 mod material;
 mod mesh;
 pub mod packed;
 mod soft;
+mod springs;
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
 
@@ -108,7 +108,7 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
 
     let world_from_node = solve_nodes(&root)?;
     let mut skeleton = skeleton(&root, &world_from_node)?;
-    let springs = hung::hang(&root, &world_from_node, &mut skeleton);
+    let springs = springs::hang(&root, &world_from_node, &mut skeleton);
     let mut figure = Figure {
         name: name.to_owned(),
         inverse_bind: bind_of(&root, &world_from_node, &skeleton),

@@ -223,8 +223,8 @@ impl Bake {
         let each = |bytes: u64| bytes as f64 / baked.duration_secs.max(1e-9);
         writeln!(
             out,
-            "{name}: {} utterances, {:.1} s of speech, {} spoken anew, {} old files removed; \
-             bytes a second: Ogg Opus {:.0}, MP3 {:.0}, times and melody {:.0}",
+            "{name}: {} utterances, {:.1} s of speech, {} synthesised, {} old files removed; \
+             bytes per second: Ogg Opus {:.0}, MP3 {:.0}, times and intonation {:.0}",
             baked.utterances,
             baked.duration_secs,
             baked.synthesised.len(),
@@ -237,7 +237,7 @@ impl Bake {
         if let Some((softest, loudest)) = baked.sound.lufs {
             writeln!(
                 out,
-                "  heard in what was spoken anew: {:.1} % of {} bursts at their phones, {:.1} % of {} \
+                "  measured in the synthesised audio: {:.1} % of {} bursts at their phones, {:.1} % of {} \
                  vowels voiced, pauses {:.0} dB under speech, {softest:.1} to {loudest:.1} LUFS",
                 heard.bursts.percent(),
                 heard.bursts.of,

@@ -164,14 +164,18 @@ impl Measure {
             for row in &rows {
                 writeln!(
                     out,
-                    "{:24} {:24} asked {:6.3} heard {:6.3}, off by {:4.1} % ({:3.0} % of the change){}",
+                    "{:24} {:24} requested {:6.3} measured {:6.3}, off by {:4.1} % ({:3.0} % of the change){}",
                     row.setting,
                     row.property,
                     row.requested,
                     row.measured,
                     row.error() * 100.0,
                     row.missing() * 100.0,
-                    if row.is_met() { "" } else { "  NOT AS ASKED" }
+                    if row.is_met() {
+                        ""
+                    } else {
+                        "  NOT AS REQUESTED"
+                    }
                 )?;
             }
         }

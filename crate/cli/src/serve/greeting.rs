@@ -19,7 +19,7 @@ pub(crate) enum Greeting<'a> {
     /// Possible prefix of the greeting line.
     Begun,
     /// The line, with this token.
-    Told(&'a str),
+    Token(&'a str),
     /// A request of HTTP.
     Http,
     /// Any other data.
@@ -49,7 +49,7 @@ pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
             let token = line
                 .get(OPENING.len()..)
                 .and_then(|t| str::from_utf8(t).ok());
-            token.map_or(Greeting::Other, Greeting::Told)
+            token.map_or(Greeting::Other, Greeting::Token)
         }
         None if bytes.len() >= MAX_GREETING_BYTES => Greeting::Other,
         None => Greeting::Begun,
@@ -68,7 +68,7 @@ pub fn assert_valid(bytes: &[u8]) {
                 n < MAX_GREETING_BYTES,
                 "an incomplete greeting is below its size limit"
             ),
-            Greeting::Told(token) => {
+            Greeting::Token(token) => {
                 assert!(
                     bytes.starts_with(line(token).as_bytes()),
                     "the greeting starts with its line"
@@ -98,10 +98,10 @@ mod tests {
         let told = |stream: &'static str| found(stream.as_bytes()).map(|(greeting, _)| greeting);
         assert_eq!(
             told("raconteur 1 abc\n<null/>"),
-            Some(Greeting::Told("abc"))
+            Some(Greeting::Token("abc"))
         );
-        assert_eq!(told("raconteur 1 abc\r\n"), Some(Greeting::Told("abc")));
-        assert_eq!(told("raconteur 1 \n"), Some(Greeting::Told("")));
+        assert_eq!(told("raconteur 1 abc\r\n"), Some(Greeting::Token("abc")));
+        assert_eq!(told("raconteur 1 \n"), Some(Greeting::Token("")));
         assert_eq!(told("raconteur 1 abc"), None);
         for other in [
             "raconteur 2 abc\n",

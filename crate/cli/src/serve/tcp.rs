@@ -37,7 +37,7 @@ pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> io::Result<()
     let refusal = match greet(&mut wire, door) {
         Ok(()) => None,
         Err(RejectReason::Silent(error)) => return Err(error),
-        Err(RejectReason::Told(why)) => Some(why),
+        Err(RejectReason::Notified(why)) => Some(why),
     };
     // A rejected connection never occupies a slot.
     let place = refusal.is_none().then(|| door.place()).flatten();
@@ -59,7 +59,7 @@ pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> io::Result<()
 /// Reason for rejecting a connection.
 enum RejectReason {
     /// Rejected with a message to the peer.
-    Told(&'static str),
+    Notified(&'static str),
     /// Rejected without a message: the peer is gone or timed out.
     Silent(io::Error),
 }
@@ -73,14 +73,14 @@ fn greet(wire: &mut DeadlineStream, door: &ConnectionSender) -> Result<(), Rejec
             Ok(0) => return Err(RejectReason::Silent(ErrorKind::UnexpectedEof.into())),
             Ok(_) => bytes.push(byte[0]),
             Err(e) if e.kind() == ErrorKind::Interrupted => continue,
-            Err(e) if would_block(&e) => return Err(RejectReason::Told(REFUSED)),
+            Err(e) if would_block(&e) => return Err(RejectReason::Notified(REFUSED)),
             Err(e) => return Err(RejectReason::Silent(e)),
         }
         match greeting::read(&bytes) {
             Greeting::Begun => {}
-            Greeting::Told(token) if door.opens(token) => return Ok(()),
-            Greeting::Told(_) | Greeting::Other => return Err(RejectReason::Told(REFUSED)),
-            Greeting::Http => return Err(RejectReason::Told(NO_PAGES)),
+            Greeting::Token(token) if door.opens(token) => return Ok(()),
+            Greeting::Token(_) | Greeting::Other => return Err(RejectReason::Notified(REFUSED)),
+            Greeting::Http => return Err(RejectReason::Notified(NO_PAGES)),
         }
     }
 }

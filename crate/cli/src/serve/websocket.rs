@@ -54,7 +54,7 @@ pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> Result<(), Er
         let link = door.enter().map_err(End::from);
         link.and_then(|link| talk(&mut socket, link, door))
     };
-    let Err(End::Told(code, why)) = ended else {
+    let Err(End::Closed(code, why)) = ended else {
         return Ok(());
     };
     let frame = CloseFrame {
@@ -70,14 +70,14 @@ pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> Result<(), Er
 /// End of a conversation.
 enum End {
     /// Close frame with a reason.
-    Told(CloseCode, &'static str),
+    Closed(CloseCode, &'static str),
     /// The mind has left.
     Left,
 }
 
 impl End {
     fn with(code: CloseCode, why: &'static str) -> Self {
-        Self::Told(code, why)
+        Self::Closed(code, why)
     }
 }
 

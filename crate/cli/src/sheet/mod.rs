@@ -1,7 +1,7 @@
 //! Contact sheets: one figure in many views, side by side.
 
 mod caption;
-mod feeling;
+mod emotion;
 pub(crate) mod light;
 mod picture;
 mod pose;

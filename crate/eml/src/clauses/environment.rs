@@ -167,7 +167,7 @@ record! {
 
 words! {
     /// Source of control for a channel of the environment from a clause on.
-    Lead {
+    ControlSource {
         /// The script's own values.
         Script = "script",
         /// The strongest emotion, or the mood.
@@ -318,7 +318,7 @@ record! {
     /// Sets the shot of the camera.
     Camera = "camera" {
         /// Source of control from here on.
-        by: Lead = "by",
+        by: ControlSource = "by",
         /// Shot size; none: unchanged.
         shot: Option<ShotKind> = "shot",
         /// Camera angle; none: unchanged.
@@ -332,7 +332,7 @@ record! {
     /// Changes the key light (GEVH 3.5.4.2).
     Light = "light" {
         /// Source of control from here on.
-        by: Lead = "by",
+        by: ControlSource = "by",
         /// Colour as red, green, blue in sRGB; none: unchanged.
         color: Option<[u8; 3]> = "color",
         /// Brightness, 1 as in the stage's own light; none: unchanged.
@@ -358,7 +358,7 @@ record! {
     /// Plays music: from the library by its mood, or a file.
     Music = "music" {
         /// Source of control from here on.
-        by: Lead = "by",
+        by: ControlSource = "by",
         /// Mood of the music; none: silence, unless there is a file.
         valence: Option<Valence> = "valence",
         /// A file next to the story.

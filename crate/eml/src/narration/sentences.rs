@@ -38,7 +38,7 @@ pub(super) struct Sentence {
 enum Part {
     Word(String),
     Sign(String),
-    Felt(&'static str),
+    Emotion(&'static str),
 }
 
 /// Returns the sentences of a text; a line ends one as well. An emoticon after the end of a
@@ -69,7 +69,7 @@ fn parts_of(line: &str) -> Vec<Part> {
                 rest,
             } => {
                 parts.truncate(parts.len().saturating_sub(signs));
-                parts.push(Part::Felt(name));
+                parts.push(Part::Emotion(name));
                 if !rest.is_empty() {
                     parts.push(Part::Sign(rest.to_owned()));
                 }
@@ -95,7 +95,7 @@ fn of_line(line: &str, language: Option<Language>) -> Vec<Sentence> {
                 shown.sign(text);
                 written.push(Word::parse(text));
             }
-            Part::Felt(_) => {}
+            Part::Emotion(_) => {}
         }
     }
     let mut shown = shown.finish().into_iter();
@@ -112,7 +112,7 @@ fn of_line(line: &str, language: Option<Language>) -> Vec<Sentence> {
                 is_stressed: is_stressed(&written, at, language),
             }),
             Part::Sign(_) => {}
-            Part::Felt(name) => {
+            Part::Emotion(name) => {
                 open.emotion.get_or_insert(name);
                 continue;
             }

@@ -1,7 +1,7 @@
 //! `camera`: takes a shot.
 
 use super::{Attribute, Element};
-use crate::{CameraAngle, ClauseKind, Lead, ShotKind};
+use crate::{CameraAngle, ClauseKind, ControlSource, ShotKind};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Sets the shot."),
@@ -17,7 +17,7 @@ pub(super) static ELEMENT: Element = Element {
     attributes: &[
         Attribute::choice(
             "by",
-            Lead::WORDS,
+            ControlSource::WORDS,
             "Who controls the camera from here on: this element, or the strongest emotion.",
         )
         .default("script"),

@@ -1,7 +1,7 @@
 //! `light`: changes the key light.
 
 use super::{Attribute, Element, Kind};
-use crate::{ClauseKind, Lead};
+use crate::{ClauseKind, ControlSource};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Changes the colour and brightness of the key light."),
@@ -17,7 +17,7 @@ pub(super) static ELEMENT: Element = Element {
     attributes: &[
         Attribute::choice(
             "by",
-            Lead::WORDS,
+            ControlSource::WORDS,
             "Who controls the light from here on: this element, or the strongest emotion.",
         )
         .default("script"),

@@ -55,6 +55,7 @@ mod emph;
 mod engine;
 mod environment;
 mod event;
+mod flow;
 mod function_args;
 mod gesture_is_on;
 mod gesture_key;
@@ -95,7 +96,6 @@ mod voice_change;
 mod voice_say;
 mod voice_text;
 mod volume;
-mod ways;
 
 use crate::ClauseKind;
 use crate::clauses::speech::Markup;
@@ -396,10 +396,10 @@ pub static ELEMENTS: &[&Element] = &[
     &function_args::ELEMENT,
     &gesture_is_on::ELEMENT,
     &gesture_key::ELEMENT,
-    &ways::GOTO,
+    &flow::GOTO,
     &hand_shapes::ELEMENT,
     &head::ELEMENT,
-    &ways::IF,
+    &flow::IF,
     &it::ELEMENT,
     &hand_shapes::KEY,
     &motion::KEY,
@@ -414,18 +414,18 @@ pub static ELEMENTS: &[&Element] = &[
     &ask::OPTION,
     &palms::ELEMENT,
     &par::ELEMENT,
-    &ways::PART,
+    &flow::PART,
     &performer::ELEMENT,
     &environment::PIECE,
     &pitch::ELEMENT,
-    &ways::POOL,
+    &flow::POOL,
     &pron::ELEMENT,
     &rate::ELEMENT,
     &ref_::ELEMENT,
     &sayas::ELEMENT,
     &seq::ELEMENT,
     &set::ELEMENT,
-    &ways::SET,
+    &flow::SET,
     &sets_configuration::ELEMENT,
     &speaker::ELEMENT,
     &tm::ELEMENT,

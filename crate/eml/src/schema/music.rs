@@ -1,7 +1,7 @@
 //! `music`: plays music.
 
 use super::{Attribute, Element, Kind};
-use crate::{ClauseKind, Lead, Valence};
+use crate::{ClauseKind, ControlSource, Valence};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
@@ -18,7 +18,7 @@ pub(super) static ELEMENT: Element = Element {
     attributes: &[
         Attribute::choice(
             "by",
-            Lead::WORDS,
+            ControlSource::WORDS,
             "Who controls the music from here on: this element, or the mood.",
         )
         .default("script"),

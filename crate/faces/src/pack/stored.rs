@@ -21,8 +21,8 @@ const TEXTURE: &[u8; 8] = b"RFACES\x03T";
 const STEPS: f64 = 127.0;
 /// Minimum quantisation step of a mode at one standard deviation: metres for shapes, logarithms for
 /// textures. Finer steps are not visible, and noise compresses badly.
-const FINEST_SHAPE: f64 = 1.5e-5;
-const FINEST_TEXTURE: f64 = 1e-3;
+const MIN_SHAPE_STEP: f64 = 1.5e-5;
+const MIN_TEXTURE_STEP: f64 = 1e-3;
 /// Steps of a standard deviation in coefficients of the database.
 const EXAMPLE_STEPS: f64 = 31.0;
 
@@ -154,7 +154,7 @@ pub(super) fn shape(model: &FaceModel) -> Result<Vec<u8>, FaceError> {
     write(
         SHAPE,
         &StoredShape {
-            space: StoredSpace::from_space(&model.shape, FINEST_SHAPE),
+            space: StoredSpace::from_space(&model.shape, MIN_SHAPE_STEP),
             cage: StoredFollower::from_follower(&model.cage),
             organs: StoredFollower::from_follower(&model.organs),
             reference: single(&model.reference),
@@ -179,7 +179,7 @@ pub(super) fn texture(model: &TextureModel) -> Result<Vec<u8>, FaceError> {
     write(
         TEXTURE,
         &StoredTexture {
-            space: StoredSpace::from_space(&model.space, FINEST_TEXTURE),
+            space: StoredSpace::from_space(&model.space, MIN_TEXTURE_STEP),
             looks: model.looks.iter().map(look).collect(),
             attributes: model
                 .attributes

@@ -2,7 +2,7 @@
 //! the strongest emotion (GEVH 3.5.4).
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{Document, Fidelity, Lead};
+use raconteur_eml::{ControlSource, Document, Fidelity};
 use raconteur_stage::{EmotionEnvelope, EmotionTimeline};
 
 /// Environment channels (camera, light, music) that express emotions: enabled or not.
@@ -36,7 +36,7 @@ impl Channels {
 /// Current controller of an environment channel: a script clause, by its index, or the strongest
 /// emotion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum ControlSource {
+pub(crate) enum ActiveControl {
     /// A cue of the script, by index.
     Script(usize),
     /// The strongest emotion; `None` for no emotion.
@@ -48,12 +48,12 @@ pub(crate) enum ControlSource {
 /// emotion holds control for at least `least_secs` unless the script takes it, and as long as its
 /// successor is the `same`. Later events never change earlier results.
 pub(crate) fn leaders(
-    cues: &[(f64, Lead)],
+    cues: &[(f64, ControlSource)],
     feelings: &EmotionTimeline,
     follows: bool,
     least_secs: f64,
     same: impl Fn(Option<&EmotionEnvelope>, Option<&EmotionEnvelope>) -> bool,
-) -> Vec<(f64, ControlSource)> {
+) -> Vec<(f64, ActiveControl)> {
     let felt = feelings.all();
     let mut times: Vec<(f64, Option<usize>)> = felt
         .iter()
@@ -75,16 +75,16 @@ pub(crate) fn leaders(
             None => break,
         };
         if let Some(i) = cue {
-            by_script = cues[i].1 == Lead::Script;
+            by_script = cues[i].1 == ControlSource::Script;
             if by_script {
-                taken.push((t, ControlSource::Script(i)));
+                taken.push((t, ActiveControl::Script(i)));
                 due_secs = f64::INFINITY;
                 continue;
             }
             // Emotions take over again, from the last value of the script.
             now = feelings.strongest(t, None);
             (since_secs, due_secs) = (t, f64::INFINITY);
-            taken.push((t, ControlSource::Emotion(now)));
+            taken.push((t, ActiveControl::Emotion(now)));
             continue;
         }
         if by_script {
@@ -100,7 +100,7 @@ pub(crate) fn leaders(
         }
         now = strongest;
         (since_secs, due_secs) = (t, f64::INFINITY);
-        taken.push((t, ControlSource::Emotion(now)));
+        taken.push((t, ActiveControl::Emotion(now)));
     }
     taken
 }

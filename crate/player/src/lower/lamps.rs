@@ -3,11 +3,11 @@
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{ClauseKind, Lead};
+use raconteur_eml::{ClauseKind, ControlSource};
 use raconteur_stage::illumination::linear;
 use raconteur_stage::{EmotionEnvelope, EmotionTimeline, Illumination};
 
-use crate::lower::control_source::{ControlSource, leaders};
+use crate::lower::control_source::{ActiveControl, leaders};
 use crate::lower::script::Script;
 
 /// Minimum duration of a light change, seconds. Changes scripted more densely blend into each other
@@ -21,7 +21,7 @@ const MOVE_SECS: f64 = 1.4;
 pub(crate) struct LampCue {
     pub(crate) start_secs: f64,
     transition_secs: f64,
-    by: Lead,
+    by: ControlSource,
     /// Linear RGB; `None`: unchanged.
     color: Option<[f32; 3]>,
     /// Brightness; `None`: unchanged.
@@ -102,7 +102,7 @@ impl LampSequence {
         channel: LightChannel,
     ) -> Self {
         sort_by_number(&mut cues, |c| c.start_secs);
-        let leads: Vec<(f64, Lead)> = cues.iter().map(|c| (c.start_secs, c.by)).collect();
+        let leads: Vec<(f64, ControlSource)> = cues.iter().map(|c| (c.start_secs, c.by)).collect();
         let same = |a: Option<&EmotionEnvelope>, b: Option<&EmotionEnvelope>| {
             channel.illumination(a) == channel.illumination(b)
         };
@@ -111,7 +111,7 @@ impl LampSequence {
             .into_iter()
             .map(|(start_secs, leader)| {
                 let transition_secs = match leader {
-                    ControlSource::Script(i) => {
+                    ActiveControl::Script(i) => {
                         let cue = &cues[i];
                         let color = cue.color.unwrap_or(now.color);
                         let brightness = cue.brightness.unwrap_or(now.brightness);
@@ -121,7 +121,7 @@ impl LampSequence {
                         };
                         cue.transition_secs
                     }
-                    ControlSource::Emotion(felt) => {
+                    ActiveControl::Emotion(felt) => {
                         now = channel.illumination(felt.as_ref());
                         MOVE_SECS
                     }

@@ -1,7 +1,7 @@
 //! Music for a mood (GEVH 3.5.4.3): a piece by valence, the voices added by arousal, and the
 //! transitions between pieces. An author's own pieces may also depend on arousal.
 
-use raconteur_eml::{Arousal, Document, Lead};
+use raconteur_eml::{Arousal, ControlSource, Document};
 use raconteur_stage::emotion::Valence;
 use raconteur_stage::{EmotionTimeline, Mood};
 
@@ -97,16 +97,16 @@ impl MoodMusic<'_> {
         if self.emotions.all().is_empty() {
             return script
                 .into_iter()
-                .filter(|c| c.by == Lead::Script)
+                .filter(|c| c.by == ControlSource::Script)
                 .collect();
         }
         let mut led = Vec::new();
         let mut from_secs = self.follows.then_some(0.0);
         for clause in script {
-            if let Some(from) = from_secs.take_if(|_| clause.by == Lead::Script) {
+            if let Some(from) = from_secs.take_if(|_| clause.by == ControlSource::Script) {
                 self.follow(from, clause.start_secs, &mut led);
             }
-            if clause.by == Lead::Script {
+            if clause.by == ControlSource::Script {
                 led.push(clause);
             } else {
                 from_secs.get_or_insert(clause.start_secs);
@@ -181,7 +181,7 @@ impl MoodMusic<'_> {
         };
         MusicClause {
             start_secs: from_secs,
-            by: Lead::Emotion,
+            by: ControlSource::Emotion,
             voices,
             volume: VOLUME,
             fade_secs: FADE_SECS,
@@ -324,7 +324,7 @@ mod tests {
         assert_eq!(led[0], (0.0, "music/own.opus".to_owned()));
         let quiet = MusicClause::silence(20.0, 1.0);
         let script = MusicClause {
-            by: Lead::Script,
+            by: ControlSource::Script,
             ..quiet
         };
         let led = scored(vec![felt("hope", 60.0, 0.5, 0.0)], &own, vec![script]);

@@ -1,6 +1,6 @@
 //! Music piece as its voices and its play times.
 
-use raconteur_eml::Lead;
+use raconteur_eml::ControlSource;
 
 /// Stem of a piece of music: one of the files that play together, with its share over time.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub(crate) struct MusicStem {
 pub(crate) struct MusicClause {
     pub(crate) start_secs: f64,
     /// Source of control from then on.
-    pub(crate) by: Lead,
+    pub(crate) by: ControlSource,
     /// Stems; empty for silence.
     pub(crate) voices: Vec<MusicStem>,
     pub(crate) volume: f64,
@@ -30,7 +30,7 @@ impl MusicClause {
     pub(crate) fn silence(start_secs: f64, fade_secs: f64) -> Self {
         Self {
             start_secs,
-            by: Lead::Emotion,
+            by: ControlSource::Emotion,
             voices: Vec::new(),
             volume: 1.0,
             fade_secs,

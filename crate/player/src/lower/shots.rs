@@ -3,10 +3,10 @@
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{CameraAngle, ClauseKind, Lead, ShotKind};
+use raconteur_eml::{CameraAngle, ClauseKind, ControlSource, ShotKind};
 use raconteur_stage::{Angle, Camera, EmotionEnvelope, EmotionTimeline, EmotionType, Shot};
 
-use crate::lower::control_source::{ControlSource, leaders};
+use crate::lower::control_source::{ActiveControl, leaders};
 use crate::lower::script::Script;
 
 /// Minimum duration of an emotion's shot, seconds. Designed: an image is read in three to four
@@ -24,7 +24,7 @@ const CUT_STEPS: i32 = 2;
 pub(crate) struct ShotCue {
     pub(crate) start_secs: f64,
     transition_secs: f64,
-    by: Lead,
+    by: ControlSource,
     /// Shot size; `None`: unchanged.
     shot: Option<Shot>,
     /// Angle; `None`: unchanged.
@@ -98,7 +98,7 @@ impl ShotSequence {
     pub(crate) fn new(mut shooting: ShotPlanInput<'_>) -> Self {
         sort_by_number(&mut shooting.cues, |c| c.start_secs);
         let ShotPlanInput { usual, cues, .. } = &shooting;
-        let leads: Vec<(f64, Lead)> = cues.iter().map(|c| (c.start_secs, c.by)).collect();
+        let leads: Vec<(f64, ControlSource)> = cues.iter().map(|c| (c.start_secs, c.by)).collect();
         let same =
             |a: Option<&EmotionEnvelope>, b: Option<&EmotionEnvelope>| shot_for(a) == shot_for(b);
         let taken = leaders(&leads, shooting.emotions, shooting.follows, MIN_SECS, same);
@@ -111,14 +111,14 @@ impl ShotSequence {
             is_written: false,
         };
         let mut now = first;
-        let take = |&(start_secs, leader): &(f64, ControlSource)| {
+        let take = |&(start_secs, leader): &(f64, ActiveControl)| {
             let (transition_secs, shot, angle, is_felt) = match leader {
-                ControlSource::Script(i) => {
+                ActiveControl::Script(i) => {
                     let cue = &cues[i];
                     let (shot, angle) = (cue.shot.unwrap_or(now.shot), cue.angle);
                     (cue.transition_secs, shot, angle.unwrap_or(now.angle), false)
                 }
-                ControlSource::Emotion(felt) => {
+                ActiveControl::Emotion(felt) => {
                     let (shot, angle) = shot_for(felt.as_ref()).unwrap_or((*usual, Angle::Eye));
                     let steps = (nearness(shot) - nearness(now.shot)).abs();
                     let cuts = steps >= CUT_STEPS || !shooting.moves;
@@ -136,7 +136,7 @@ impl ShotSequence {
                 shot,
                 angle,
                 is_by_emotion: is_felt,
-                is_written: matches!(leader, ControlSource::Script(_)),
+                is_written: matches!(leader, ActiveControl::Script(_)),
             };
             now
         };

@@ -31,10 +31,10 @@ use crate::play::soft::SoftFace;
 use crate::play::swinging_parts::SwingingParts;
 
 mod clips;
+mod frames;
 mod idle;
 mod improvise;
 pub(crate) mod readings;
-mod shown;
 
 use clips::Animations;
 use idle::IdleBehaviour;

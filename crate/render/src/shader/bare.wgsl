@@ -1,9 +1,9 @@
-// The figure without its surfaces, edges and corners alone or cast in clay; and what is
-// drawn over it: bones, frames, joints, targets.
+// Rendering of the figure without its materials: as edges and vertices, or in clay. Also renders
+// the overlays: bones, frames, joints and targets.
 
-// 1: of clay. 0: in the paint of its materials.
+// 1: clay. 0: the colours of the materials.
 override CLAY: u32 = 0u;
-// 1: edges and corners. Those on the far side are left out, else no shape can be made out.
+// 1: edges and vertices. Those on the far side are omitted, because they would hide the shape.
 override THIN: u32 = 0u;
 
 @fragment
@@ -16,8 +16,8 @@ fn fs_bare(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     if facing < 0.0 {
         discard;
     }
-    // Dark cloth before a dark curtain would be lost: half of a line's colour is its own.
-    // Where lines are dense they let each other through, so that the net stays a net.
+    // Half of a line's colour is fixed, so that dark cloth stays visible in front of a dark
+    // curtain. Dense lines are partly transparent, so that the mesh stays legible.
     let light = mix(paint, vec3<f32>(0.85), 0.5) * (0.35 + 0.65 * facing);
     return written(light / max(frame.ground.w, 1e-3), 0.6, v.clip.xy);
 }
@@ -32,11 +32,11 @@ fn vs_over(@location(0) p: vec3<f32>, @location(1) color: vec4<f32>) -> OverOut 
     return OverOut(frame.clip_from_world * vec4<f32>(p, 1.0), color);
 }
 
-// 1: of lines, what lies behind something.
+// 1: the parts of lines that are behind a surface.
 override BEHIND: u32 = 0u;
 
-// A line's four corners: a band of its width in pixels, ends a little longer, so that a line
-// without length is a dot.
+// Four corners of a line: a band of its width in pixels. The ends extend slightly, so that a line
+// of zero length is a dot.
 @vertex
 fn vs_line(
     @builtin(vertex_index) corner: u32,
@@ -47,7 +47,7 @@ fn vs_line(
 ) -> OverOut {
     var a = frame.clip_from_world * vec4<f32>(line_from, 1.0);
     var b = frame.clip_from_world * vec4<f32>(line_to, 1.0);
-    // Lines beside or behind the eye are clipped.
+    // Lines next to or behind the camera are clipped.
     let near = 0.02;
     if max(a.w, b.w) < near {
         return OverOut(vec4<f32>(0.0, 0.0, 2.0, 1.0), vec4<f32>(0.0));
@@ -63,7 +63,7 @@ fn vs_line(
     let beyond = select(-along, along, corner > 1u);
     let aside = vec2<f32>(-along.y, along.x) * select(-1.0, 1.0, (corner & 1u) == 1u);
     var p = select(a, b, corner > 1u);
-    // Fainter towards the far side of the figure.
+    // Fades towards the far side of the figure.
     let fade = 1.0 - 0.85 * smoothstep(-0.02, 0.10, p.w - frame.head_up.w);
     p = vec4<f32>(p.xy + (beyond + aside) * (width * frame.viewport.zw * p.w), p.zw);
     let cover = color.a * fade * select(1.0, 0.4, BEHIND == 1u);
@@ -76,7 +76,7 @@ fn fs_line(v: OverOut) -> @location(0) vec4<f32> {
     return written(light * v.color.a, v.color.a, v.clip.xy);
 }
 
-// Drawn as bright in every light: exposure is taken back.
+// Cancels the exposure, so that the brightness is the same in every light.
 @fragment
 fn fs_over(v: OverOut) -> @location(0) vec4<f32> {
     return written(v.color.rgb / max(frame.ground.w, 1e-3), 1.0, v.clip.xy);

@@ -1,7 +1,7 @@
-// Cloth and leather, and what polished surfaces share.
+// Cloth and leather, and functions shared by polished surfaces.
 
-// Height of a knitted jersey: columns of V stitches; x and y in stitches. Slope in xy,
-// height 0..1 in z, as for every weave.
+// Height field of a knitted jersey: columns of V stitches; x and y are in stitches. Every weave
+// returns the slope in xy and the height 0..1 in z.
 fn knit(q: vec2<f32>) -> vec3<f32> {
     let column = fract(q.x) - 0.5;
     // Each leg of the V leans towards the middle of its column.
@@ -18,7 +18,7 @@ fn ridges(x: f32) -> vec3<f32> {
     return vec3<f32>(-PI * sin(2.0 * PI * x), 0.0, 0.5 + 0.5 * cos(2.0 * PI * x));
 }
 
-// Threads over and under; twill steps one thread a row.
+// Woven threads that pass over and under; twill shifts by one thread per row.
 fn threads(q: vec2<f32>, twill: f32) -> vec3<f32> {
     let d = 2.0 * PI * (q.x + q.y * twill);
     let e = 2.0 * PI * q.y;
@@ -26,18 +26,18 @@ fn threads(q: vec2<f32>, twill: f32) -> vec3<f32> {
     return vec3<f32>(-PI * sin(d), -PI * sin(d) * twill - 0.8 * PI * plain, 0.5 + 0.3 * cos(d) + 0.2 * cos(e));
 }
 
-// Repeats in a metre of each weave: knit, rib, woven, denim, corduroy, fleece.
+// Repeats per metre of each weave: knit, rib, woven, denim, corduroy, fleece.
 const REPEATS = array<vec2<f32>, 6>(
     vec2<f32>(480.0, 620.0), vec2<f32>(185.0, 620.0), vec2<f32>(900.0, 900.0),
     vec2<f32>(560.0, 560.0), vec2<f32>(300.0, 300.0), vec2<f32>(800.0, 1000.0));
 
-// Wales in a metre of a jersey.
+// Wales per metre of a jersey.
 const WALES = 165.0;
 
 fn weave_of(kind: u32, q: vec2<f32>) -> vec3<f32> {
     switch kind {
         case 1u: {
-            // Ribs are coarse enough to show their own stitches.
+            // Ribs are coarse enough to show single stitches.
             let k = knit(q * vec2<f32>(2.0, 1.0));
             let r = ridges(q.x);
             return vec3<f32>(r.xy * 1.5 + k.xy * 0.3, r.z * 0.75 + k.z * 0.25);
@@ -49,8 +49,8 @@ fn weave_of(kind: u32, q: vec2<f32>) -> vec3<f32> {
     }
 }
 
-// Soft light through the fibres that stand off the cloth: grazing views brighten
-// (after the sheen of Estevez and Kulla 2017, in a cheap form).
+// Soft light from fibres that stand off the cloth: brightens grazing views (simplified from the
+// sheen of Estevez and Kulla 2017).
 fn fuzz(n: vec3<f32>, view: vec3<f32>) -> f32 {
     let x = 1.0 - saturate1(dot(n, view));
     return x * x * x;
@@ -70,7 +70,7 @@ fn fs_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) ve
     let right = cross(up, n);
     let is_denim = kind == 3u;
 
-    // Yarn is never even: broad, then finer mottling; denim fades where it bends out.
+    // Yarn is uneven: broad mottling, then finer mottling. Denim fades on convex bends.
     let mottle = noise(v.bind * 90.0) * 0.5 + noise(v.bind * 420.0) * 0.5 - 0.5;
     albedo *= 1.0 + select(0.16, 0.34, is_denim) * mottle;
     if is_denim {
@@ -78,14 +78,14 @@ fn fs_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) ve
         albedo = mix(albedo, albedo * 1.5 + 0.012, saturate1(worn));
     }
     if FINE_DETAIL == 1u {
-        // Folds that hang: down the body, across a sleeve.
+        // Hanging folds: down the body, across a sleeve.
         let sleeve = smoothstep(0.20, 0.27, abs(v.bind.x));
         let hang = noise_gradient(v.bind * mix(vec3<f32>(19.0, 5.0, 19.0), vec3<f32>(27.0, 11.0, 11.0), sleeve));
         let slack = mix(1.0, 0.55, f32(kind == 0u || kind == 1u)) * mix(mix(0.7, 1.0, smoothstep(1.32, 1.12, v.bind.y)), 1.9, sleeve);
         n = bumped(n, hang.xyz * mix(vec3<f32>(1.0, 0.3, 1.0), vec3<f32>(1.0, 0.45, 0.45), sleeve) * (0.42 * slack));
-        // Less light comes into their bottoms.
+        // Occlusion at the bottom of the folds.
         albedo *= 1.0 - 0.22 * min(slack, 1.0) * smoothstep(0.55, 0.20, hang.w);
-        // Small creases that the mesh is too coarse for; knits hardly keep any.
+        // Small creases, below the resolution of the mesh; knits hardly crease.
         let crisp = select(0.10, 0.24, kind == 2u || is_denim || kind == 4u);
         n = bumped(n, noise_gradient(v.bind * vec3<f32>(44.0, 62.0, 44.0)).xyz * crisp);
         let near = 1.0 - smoothstep(0.14, 0.46, repeat_px);
@@ -94,7 +94,7 @@ fn fs_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) ve
             n = normalize(n - (right * k.x + up * k.y) * (0.13 * near));
             albedo *= mix(1.0, 0.66 + 0.5 * k.z, near);
         }
-        // Wales of a jersey, broad enough to be seen from where its stitches are not.
+        // Wales of a jersey, visible at distances at which single stitches are not.
         let wale = v.uv.x * WALES;
         let wale_px = length(vec2<f32>(dpdx(wale), dpdy(wale)));
         let seen = f32(kind == 0u) * (1.0 - smoothstep(0.20, 0.42, wale_px)) * mix(0.6, 1.0, smoothstep(0.03, 0.10, wale_px));

@@ -1,4 +1,4 @@
-// The figure's vertices: four joints a vertex, rows of world from bind.
+// Vertices of the figure: four joints per vertex, rows of world from bind.
 
 struct Joints {
     rows: array<vec4<f32>, 768>,
@@ -6,9 +6,9 @@ struct Joints {
 
 struct Material {
     base: vec4<f32>,     // linear RGB, alpha
-    params: vec4<f32>,   // x: roughness, y: 1 when a cornea mesh carries the eye's lights,
-                         // z: 1 when what lies behind shines through, w: weave of cloth, or 1 with a normal map
-    face: vec4<f32>,     // middle between the eyes, bind pose; w: their distance, or 0
+    params: vec4<f32>,   // x: roughness, y: 1 if a cornea mesh carries the reflections of the eye,
+                         // z: 1 if the background shows through, w: weave of cloth, or 1 with a normal map
+    face: vec4<f32>,     // midpoint between the eyes, bind pose; w: their distance, or 0
 };
 
 @group(1) @binding(0) var<uniform> joints: Joints;
@@ -24,15 +24,15 @@ struct VertexIn {
     @location(6) along: vec4<f32>,
 };
 
-// What light depends on is taken where the triangle covers the pixel: at its middle, past an
-// outline, it would be that of no place on the surface, and light up. What patterns take their
-// sizes from is not, as its differences between pixels would jump at every edge.
+// Inputs of the lighting are sampled at the centroid. Interpolated at the pixel's centre, beyond an
+// outline, they would belong to no point of the surface and cause bright fragments. Inputs that set
+// the size of patterns are not, because their derivatives would jump at every edge.
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) world: vec3<f32>,
     @location(1) @interpolate(perspective, centroid) normal: vec3<f32>,
-    @location(2) @interpolate(perspective, centroid) along: vec3<f32>,   // direction of growing v, world
-    @location(3) bind: vec3<f32>,    // position in the bind pose; noise sticks to it
+    @location(2) @interpolate(perspective, centroid) along: vec3<f32>,   // direction of increasing v, world
+    @location(3) bind: vec3<f32>,    // position in the bind pose, the domain of the noise
     @location(4) uv: vec2<f32>,
     @location(5) @interpolate(perspective, centroid) color: vec4<f32>,
     @location(6) @interpolate(perspective, centroid) bend: f32,          // root of the curvature, -1..1; 1 is a bead of 4 mm radius
@@ -47,7 +47,7 @@ struct Blend {
 
 fn blend(joint: vec4<u32>, weight: vec4<f32>) -> Blend {
     let a = joint * 3u;
-    // Quantised weights need not sum to one exactly.
+    // Quantised weights do not always sum to exactly one.
     let w = weight / max(dot(weight, vec4<f32>(1.0)), 1e-6);
     var m: Blend;
     m.x = joints.rows[a.x] * w.x + joints.rows[a.y] * w.y + joints.rows[a.z] * w.z + joints.rows[a.w] * w.w;
@@ -60,14 +60,14 @@ fn place(m: Blend, p: vec4<f32>) -> vec3<f32> {
     return vec3<f32>(dot(m.x, p), dot(m.y, p), dot(m.z, p));
 }
 
-// What tissue does to a vertex.
+// Changes of a vertex by the tissue.
 struct TissueIn {
     @location(7) moved: vec4<f32>,   // displacement; w: x of the normal's change
-    @location(8) turned: vec2<f32>,  // y and z of it
+    @location(8) turned: vec2<f32>,  // y and z of the normal's change
     @location(9) complexion: vec4<f32>,
 };
 
-// As REACH_M and TURN of tissue.rs say.
+// Scales as REACH_M and TURN in tissue.rs.
 fn displacement(t: TissueIn) -> vec3<f32> { return t.moved.xyz * 0.125; }
 fn turn(t: TissueIn) -> vec3<f32> { return vec3<f32>(t.moved.w, t.turned) * 2.0; }
 
@@ -104,7 +104,7 @@ struct ShadowOut {
     @location(1) bind: vec3<f32>,
 };
 
-// The light that the shadow map is drawn from: 0 key, 1 rim.
+// Light of the shadow map: 0 key, 1 rim.
 override LIGHT: u32 = 0u;
 
 @vertex
@@ -130,20 +130,20 @@ fn to_eye(world: vec3<f32>) -> vec3<f32> {
     return normalize(frame.eye_in_world.xyz - world);
 }
 
-// Normal towards the viewer: cards and open cloth are seen from both sides.
+// Normal towards the viewer: cards and open cloth are visible from both sides.
 fn facing_normal(normal: vec3<f32>, front: bool) -> vec3<f32> {
     let n = normalize(normal);
     return select(-n, n, front);
 }
 
-// Normal of cloth: its inside is lit as its outside is, but where a fold turns a triangle over
-// whose corners still face the viewer, the normal stays.
+// Normal of cloth. The inside is lit like the outside. The normal stays unchanged on a triangle
+// that a fold turns over while its vertices still face the viewer.
 fn cloth_normal(v: VertexOut, front: bool) -> vec3<f32> {
     let n = normalize(v.normal);
     return select(-n, n, front || dot(n, frame.eye_in_world.xyz - v.world) > 0.0);
 }
 
-// Tilts a normal against the slope of a height field given in space.
+// Tilts a normal against the slope of a height field in space.
 fn bumped(n: vec3<f32>, slope: vec3<f32>) -> vec3<f32> {
     return normalize(n - (slope - n * dot(slope, n)));
 }

@@ -1,13 +1,14 @@
-// What every pass of one picture knows, and small tools: noise, tone curve, encoding.
+// Uniforms shared by every pass of a frame, and utilities: noise, tone curve, encoding.
 
 struct Frame {
     clip_from_world: mat4x4<f32>,
     shadow_from_world: array<mat4x4<f32>, 2>, // key, rim
-    // World directions through the middle, and half a picture right and up; for the backdrop.
+    // World directions through the centre of the image, and half an image right and up; for the
+    // backdrop.
     ray_forward: vec4<f32>,
     ray_right: vec4<f32>,
     ray_up: vec4<f32>,
-    eye_in_world: vec4<f32>,   // w: how long fire and leaves have moved, seconds
+    eye_in_world: vec4<f32>,   // w: time of the animation of fire and leaves, seconds
     key_dir: vec4<f32>,
     key: vec4<f32>,
     fill_dir: vec4<f32>,
@@ -17,51 +18,52 @@ struct Frame {
     sky: vec4<f32>,
     ground: vec4<f32>,         // w: exposure
     floor: vec4<f32>,
-    backdrop_low: vec4<f32>,   // w: number of the place, 0 in a studio, 1 at the curtain
+    backdrop_low: vec4<f32>,   // w: number of the set, 0 in a studio, 1 at the curtain
     backdrop_high: vec4<f32>,
     glow: vec4<f32>,
     fog: vec4<f32>,            // w: density per metre beyond the figure
-    stand: vec4<f32>,          // where the figure stands, w: stature, metres
-    feet: array<vec4<f32>, 2>, // soles left and right, world
+    stand: vec4<f32>,          // position of the figure, w: stature, metres
+    feet: array<vec4<f32>, 2>, // left and right soles, world
     shadow: vec4<f32>,         // x: tap distance in uv, y: normal offset in metres, z: depth bias,
-                               // w: depth of a metre
+                               // w: depth per metre
     viewport: vec4<f32>,       // width, height, 1/width, 1/height
     ambient: array<vec4<f32>, 9>, // irradiance over pi, spherical harmonics by factor of the basis
     head_up: vec4<f32>,        // w: distance of the camera's target, metres
-    eyes: vec4<f32>,           // x: radius of the pupil over that of the globe,
-                               // y: how far the lips are apart, mm
-    // Planes through the middle of the eye and the edge of each lid, normals towards what it
-    // covers: upper and lower, left eye, then right; 0 where there is no lid.
+    eyes: vec4<f32>,           // x: radius of the pupil relative to the globe,
+                               // y: distance between the lips, mm
+    // Planes through the centre of the eye and the edge of each lid, with normals towards the
+    // covered side: upper and lower, left eye, then right; 0 without a lid.
     lids: array<vec4<f32>, 4>,
-    // A ray's place in the still of the backdrop: across, upwards, and what both are over. In w of the first how much
-    // wider the still that is drawn now is than the picture, of the last 1 where it is the picture's very own.
+    // Position of a ray in the still of the backdrop: across, up, and their common divisor. w of
+    // the first: width of the still being rendered, relative to the image. w of the last: 1 if the
+    // still belongs to exactly this image.
     still: array<vec4<f32>, 3>,
 };
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 
-// 1: tone curve and encoding run in the material shaders (no float target).
+// 1: the material shaders apply the tone curve and the encoding (no float target).
 override EARLY_ENCODE: u32 = 0u;
-// 1: the lowest quality, where the output is encoded at little cost.
+// 1: lowest quality, with a cheap approximation of the output encoding.
 override SIMPLE: u32 = 0u;
 // 1: pores, weave and fibres are computed.
 override FINE_DETAIL: u32 = 1u;
-// The shadow filter: 1 is a disc of 7 taps, 2 one of 24 that sharpens towards contact.
+// Shadow filter: 1 is a disc of 7 taps, 2 a disc of 24 taps that sharpens towards contact.
 override SHADOW_REACH: i32 = 1;
-// Lights with a shadow: the key, then the rim; their maps lie side by side.
+// Number of lights with a shadow: the key, then the rim; their maps are side by side.
 override SHADOWS: u32 = 2u;
 
 const PI = 3.14159265;
 
 fn saturate1(x: f32) -> f32 { return clamp(x, 0.0, 1.0); }
 
-// A lattice coordinate's share in a hash (spatial hash of Teschner et al. 2003,
-// "Optimized spatial hashing for collision detection of deformable objects").
+// Contribution of a lattice coordinate to a hash (spatial hash of Teschner et al. 2003, "Optimized
+// spatial hashing for collision detection of deformable objects").
 fn lattice(p: vec3<i32>) -> vec3<u32> {
     return bitcast<vec3<u32>>(p) * vec3<u32>(73856093u, 19349663u, 83492791u);
 }
 
-// Mixes a hash to a number in 0..1 (multiply-xorshift finaliser after MurmurHash3).
+// Maps a hash to a number in 0..1 (multiply-xorshift finaliser after MurmurHash3).
 fn mixed(key: u32) -> f32 {
     var h = key ^ (key >> 16u);
     h *= 0x85ebca6bu;
@@ -110,15 +112,15 @@ fn noise_gradient(p: vec3<f32>) -> vec4<f32> {
 
 fn noise(p: vec3<f32>) -> f32 { return noise_gradient(p).w; }
 
-// Interleaved gradient noise of the pixel, 0..1 (Jimenez 2014, "Next generation
-// post processing in Call of Duty: Advanced Warfare").
+// Interleaved gradient noise of the pixel, 0..1 (Jimenez 2014, "Next generation post processing in
+// Call of Duty: Advanced Warfare").
 fn pixel_noise(pixel: vec2<f32>) -> f32 {
     return fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715))));
 }
 
-// The display curve of Uchimura 2017 ("HDR theory and practice", CEDEC): a toe, a
-// straight middle that keeps colours, and a shoulder towards 1. Contrast 1.12,
-// straight part from 0.18 over 0.36; chosen by eye. Continuous and monotone.
+// Display curve of Uchimura 2017 ("HDR theory and practice", CEDEC): a toe, a linear middle that
+// preserves colours, and a shoulder towards 1. Contrast 1.12, linear part from 0.18 over 0.36;
+// chosen by eye. Continuous and monotone.
 fn tone_curve(x: vec3<f32>) -> vec3<f32> {
     let a = 1.12;
     let m = 0.18;
@@ -143,21 +145,21 @@ fn srgb_encode(x: vec3<f32>) -> vec3<f32> {
     return select(high, low, x <= vec3<f32>(0.0031308));
 }
 
-// Scene light to display light: exposure, vignette, tone curve.
+// Converts scene light to display light: exposure, vignette, tone curve.
 fn develop(light: vec3<f32>, pixel: vec2<f32>) -> vec3<f32> {
     let from_middle = (pixel * frame.viewport.zw - 0.5) * 2.0;
     let vignette = 1.0 - 0.16 * smoothstep(0.25, 2.0, dot(from_middle, from_middle));
     return tone_curve(max(light, vec3<f32>(0.0)) * (frame.ground.w * vignette));
 }
 
-// What `develop` and `srgb_encode` give without the vignette, to 0.03 of the full range: a
+// Approximates `develop` and `srgb_encode` without the vignette, to 0.03 of the full range: a
 // rational function of the root (fitted over 0..6 by least squares), at the cost of one root.
 fn encoded_simply(light: vec3<f32>) -> vec3<f32> {
     let s = sqrt(max(light, vec3<f32>(0.0)) * frame.ground.w);
     return saturate(s * (0.63272 + 1.04545 * s) / (1.0 + s * (1.42744 * s - 0.61221)));
 }
 
-// What a material writes for this scene light.
+// Output value of a material for a scene light.
 fn written(light: vec3<f32>, alpha: f32, pixel: vec2<f32>) -> vec4<f32> {
     if SIMPLE == 1u {
         return vec4<f32>(encoded_simply(light), alpha);
@@ -165,6 +167,6 @@ fn written(light: vec3<f32>, alpha: f32, pixel: vec2<f32>) -> vec4<f32> {
     if EARLY_ENCODE == 1u {
         return vec4<f32>(srgb_encode(develop(light, pixel)), alpha);
     }
-    // The float target overflows at 65504; one spark must not become infinite.
+    // The float target overflows at 65504; the limit keeps single bright fragments finite.
     return vec4<f32>(min(light, vec3<f32>(60.0)), alpha);
 }

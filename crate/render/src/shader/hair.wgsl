@@ -1,12 +1,12 @@
-// Hair on cards: u chooses one of 16 strips of the atlas of strands, v runs from root to tip. The
-// normal is that of the head as one hull, the same from both sides of a card; alpha is the root of
-// the share of light that comes through the hair about a place.
+// Hair on cards: u selects one of 16 strips of the atlas of strands, v runs from root to tip. The
+// normal is that of the head as one hull, the same on both sides of a card. Alpha is the root of
+// the share of light that passes through the hair around a point.
 
-// 1: coverage goes to the samples; 0: it is cut at a half.
+// 1: alpha to coverage; 0: alpha test at a threshold.
 override COVERAGE: u32 = 1u;
 
 
-// Covers sharply whatever the distance (Golus 2017, "Anti-aliased alpha test").
+// Sharp coverage at every distance (Golus 2017, "Anti-aliased alpha test").
 fn cut(cover: f32, slope: f32) -> f32 {
     if COVERAGE == 1u {
         return saturate1((cover - 0.42) / max(slope, 0.6) + 0.5);
@@ -16,23 +16,23 @@ fn cut(cover: f32, slope: f32) -> f32 {
 
 struct Strand {
     cover: f32,   // 0..1
-    depth: f32,   // 0 deep in its bundle, 1 above
-    id: f32,      // 0..1, one number a strand
+    depth: f32,   // 0 deep in its bundle, 1 on top
+    id: f32,      // 0..1, one number per strand
 };
 
-// Strands leave the scalp one after another within this, mm.
+// Range over which strands leave the scalp one after another, mm.
 const ROOT_MM = 4.0;
 
 fn strand(v: VertexOut, view: vec3<f32>) -> Strand {
     let p = textureSample(strand_map, strand_sampler, v.uv);
     let px = dpdx(v.world);
     let py = dpdy(v.world);
-    // A card seen edge-on would be a wire: it gives way to those that face the viewer.
+    // A card seen edge-on would look like a wire: it fades in favour of cards that face the viewer.
     let flat = normalize(cross(px, py));
-    // Not so where the whole head turns away.
+    // The fade does not apply where the whole head turns away.
     let round = max(abs(dot(normalize(v.normal), view)), 0.12);
     let faces = mix(smoothstep(0.12, 0.55, abs(dot(flat, view)) / round), 1.0, 0.12);
-    // How fast v grows along the card tells how far its root is.
+    // The growth rate of v along the card gives the distance to the root.
     let t = normalize(v.along + vec3<f32>(0.0, 1e-5, 0.0));
     let s = vec2<f32>(dot(px, t), dot(py, t));
     let rate = max(dot(vec2<f32>(dpdx(v.uv.y), dpdy(v.uv.y)), s) / max(dot(s, s), 1e-12), 1.0);
@@ -41,9 +41,9 @@ fn strand(v: VertexOut, view: vec3<f32>) -> Strand {
     return Strand(p.r * root * faces, p.g, p.b);
 }
 
-// Two highlights of a strand along t, the first of its surface, the second, tinted and shifted to
-// the tip, of its far side (Marschner et al. 2003, doi:10.1145/882262.882345; as Scheuermann 2004
-// simplifies them).
+// Two highlights of a strand along t. The first is from the near surface. The second is tinted,
+// shifted to the tip and from the far side (Marschner et al. 2003, doi:10.1145/882262.882345; as
+// simplified by Scheuermann 2004).
 fn hair_lobes(t: vec3<f32>, half_way: vec3<f32>, tint: vec3<f32>, id: f32) -> vec3<f32> {
     let th = dot(t, half_way);
     let shift = 0.30 * (id - 0.5);
@@ -53,15 +53,15 @@ fn hair_lobes(t: vec3<f32>, half_way: vec3<f32>, tint: vec3<f32>, id: f32) -> ve
         + tint * (0.26 * exp(-34.0 * inside * inside) * (0.55 + 0.9 * id));
 }
 
-// Weights of ambient light, of what comes through the hair and of highlights. Chosen by eye.
+// Weights of ambient light, of light through the hair and of highlights. Chosen by eye.
 const HAIR_AMBIENT = 1.5;
 const HAIR_THROUGH = 1.35;
 const HAIR_SHINE = 1.3;
-// How much more light comes from where the hull faces than the mean over all directions; regressed
-// on a bob.
+// Light from the direction of the hull's normal, relative to the mean over all directions;
+// regressed on a bob.
 const HAIR_FACING = 1.85;
 
-// Share of a light from l that comes through the hair about a place.
+// Share of a light from l that passes through the hair around a point.
 fn hair_through(open: f32, n: vec3<f32>, l: vec3<f32>) -> f32 {
     return saturate1(open * (1.0 + HAIR_FACING * dot(n, l)) * HAIR_THROUGH);
 }
@@ -80,11 +80,11 @@ fn hair_lamp(v: VertexOut, s: Strand, tone: vec3<f32>, tint: vec3<f32>, scatter:
     return tone * diffuse * through + shine * (through * hard) + glow;
 }
 
-// Colour of a strand before light.
+// Albedo of a strand.
 fn strand_tone(v: VertexOut, id: f32) -> vec3<f32> {
     let j = id - 0.5;
     let mean = v.color.rgb * material.base.rgb;
-    // Strands of pale hair differ less.
+    // Strands of pale hair vary less.
     let own = mean * exp(mix(1.05, 0.45, saturate1(2.0 * mean.g)) * j);
     return mix(own, own * vec3<f32>(1.10, 0.97, 0.86), clamp(1.6 * j, -0.6, 0.6));
 }
@@ -94,14 +94,15 @@ fn hair_light(v: VertexOut, s: Strand, view: vec3<f32>) -> vec3<f32> {
     let t = normalize(v.along + vec3<f32>(0.0, 1e-5, 0.0));
     let n = normalize(hull - t * dot(hull, t));
     let tone = strand_tone(v, s.id);
-    // Light that went through strands takes their colour, less than what they throw back.
+    // Transmitted light takes the colour of the strands, less than reflected light does.
     let tint = pow(tone, vec3<f32>(0.62));
     let open = v.color.a * v.color.a;
-    // Pale hair passes light on into its depth.
+    // Pale hair scatters light into its depth.
     let scatter = clamp(0.18 + 1.6 * dot(tone, vec3<f32>(0.3, 0.6, 0.1)), 0.0, 0.75);
     let depth = mix(mix(0.42, 1.06, smoothstep(0.12, 0.85, s.depth)), 1.0, 0.7 * scatter);
     let root = mix(mix(0.62, 1.0, smoothstep(0.0, 0.22, v.uv.y)), 1.0, 0.8 * scatter);
-    // The bake holds most of the hair's own shadow; of the rest one look is enough.
+    // The baked share holds most of the hair's own shadow, so one sample of the shadow map is
+    // enough.
     let share = mix(0.75, 1.0, sharp_share(v.world, hull));
     var light = tone * ambient(n) * (mix(open, sqrt(open), scatter) * HAIR_AMBIENT);
     light += frame.key.xyz * share * hair_lamp(v, s, tone, tint, scatter, t, n, view, frame.key_dir.xyz);
@@ -112,7 +113,7 @@ fn hair_light(v: VertexOut, s: Strand, view: vec3<f32>) -> vec3<f32> {
     return light * depth * root;
 }
 
-// The sharp pass: cover goes to the samples (Golus 2017, "Anti-aliased alpha test") or is cut.
+// The sharp pass: alpha to coverage (Golus 2017, "Anti-aliased alpha test") or an alpha test.
 @fragment
 fn fs_hair(v: VertexOut) -> @location(0) vec4<f32> {
     let view = to_eye(v.world);
@@ -128,7 +129,7 @@ fn fs_hair(v: VertexOut) -> @location(0) vec4<f32> {
     return written(hair_light(v, s, view), cover * material.base.a, v.clip.xy);
 }
 
-// The soft pass: what the sharp one leaves, ends and gaps, laid over it.
+// The soft pass: blends the ends and gaps left by the sharp pass.
 @fragment
 fn fs_hair_soft(v: VertexOut) -> @location(0) vec4<f32> {
     let view = to_eye(v.world);

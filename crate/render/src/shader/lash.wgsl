@@ -1,12 +1,13 @@
-// Lashes and brows, hair by hair. Each is a ribbon that is turned to the viewer and drawn a
-// pixel wider than it is; it covers of a pixel what share of it the hair is broad. So hairs
-// thinner than a pixel grow faint, with samples or without, where they would break into dots.
+// Lashes and brows as single hairs. Each hair is a ribbon turned to the viewer and rendered one
+// pixel wider than it is. Its coverage of a pixel is the hair's share of the pixel's width. Hairs
+// thinner than a pixel therefore fade, with or without multisampling, instead of breaking into
+// dots.
 
-// uv.x tells the half width: 0.5 more is half a millimetre to that side of the middle.
+// uv.x encodes the half width: 0.5 more is half a millimetre to that side of the centre line.
 const HAIR_REACH_M = 1e-3;
-// Less is the tip, whose coordinate is rounded.
+// Half widths below this are the tip, whose coordinate is rounded.
 const HAIR_TIP_M = 4e-6;
-// How far hairs pass before what they lie on; a turned ribbon would cut into it.
+// Offset of hairs in front of the surface below them; a turned ribbon would intersect it.
 const HAIR_LIFT_M = 6e-4;
 
 @vertex
@@ -19,7 +20,8 @@ fn vs_bound_lash(v: VertexIn, t: TissueIn) -> VertexOut {
     return as_hair(v, placed(v, v.position + displacement(t), v.normal + turn(t), vec4<f32>(0.0)));
 }
 
-// Of the result, uv.x is the distance from the middle line and `bend` the width, in pixels.
+// Returns the hair's vertex: uv.x is the distance from the centre line and `bend` the width, in
+// pixels.
 fn as_hair(v: VertexIn, card: VertexOut) -> VertexOut {
     var o = card;
     let aside = (v.uv.x - 0.5) * HAIR_REACH_M;
@@ -47,13 +49,13 @@ fn as_hair(v: VertexIn, card: VertexOut) -> VertexOut {
 @fragment
 fn fs_lash(v: VertexOut) -> @location(0) vec4<f32> {
     let cover = clamp(0.5 * v.bend - abs(v.uv.x) + 0.5, 0.0, min(v.bend, 1.0));
-    // A hair comes out of the skin rather than standing on it.
+    // Darker at the root, so that a hair appears to grow out of the skin.
     let rooted = mix(0.72, 1.0, smoothstep(0.0, 0.12, v.uv.y));
     let alpha = cover * rooted * v.color.a * material.base.a;
     let outward = normalize(v.normal);
     let n = select(-outward, outward, dot(outward, to_eye(v.world)) > 0.0);
     let tone = v.color.rgb * material.base.rgb * mix(0.92, 1.12, v.uv.y);
-    // So fine a hair is shaded as a line in its surroundings' light; a lobe would sparkle.
+    // Fine hairs are shaded as lines in the ambient light; a specular lobe would sparkle.
     let facing = saturate1(0.5 + 0.5 * dot(n, frame.key_dir.xyz));
     let share = key_share(v.world, n, v.clip.xy) * mix(0.2, 0.75, facing);
     // Light passes through pale hair and lights it from within.

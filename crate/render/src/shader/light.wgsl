@@ -1,10 +1,10 @@
-// Light on a surface: the key's shadow, specular lobes, ambient and the window in eyes.
+// Light on a surface: the key's shadow, specular lobes, ambient light and the window in eyes.
 
 @group(0) @binding(1) var shadow_map: texture_depth_2d;
 @group(0) @binding(2) var shadow_sampler: sampler_comparison;
 
-// Where a point lies in a light's map: uv of the light's own square, and depth. Beyond the
-// map the depth is negative: nothing shades it.
+// Position of a point in a light's shadow map: uv of the light's own square, and depth. Outside the
+// map the depth is negative, so the point is lit.
 fn in_map(light: u32, p: vec3<f32>) -> vec3<f32> {
     let q = frame.shadow_from_world[light] * vec4<f32>(p, 1.0);
     let uv = vec2<f32>(0.5 + 0.5 * q.x, 0.5 - 0.5 * q.y);
@@ -12,21 +12,21 @@ fn in_map(light: u32, p: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(uv, select(-1.0, q.z, inside));
 }
 
-// The point that stands for a surface point in the map: a little off the surface, further
-// where the surface is edge-on to the light.
+// Sample position for a surface point in the shadow map: slightly off the surface, further where
+// the surface is edge-on to the light.
 fn off_surface(light: u32, p: vec3<f32>, n: vec3<f32>, l: vec3<f32>) -> vec3<f32> {
     return in_map(light, p + n * (frame.shadow.y * (1.4 - saturate1(dot(n, l)))));
 }
 
-// One look: 1 where the light enters no higher than this depth.
+// Single sample: 1 where the light enters no higher than this depth.
 fn lit_at(light: u32, uv: vec2<f32>, depth: f32) -> f32 {
     let at = vec2<f32>((uv.x + f32(light)) / f32(SHADOWS), uv.y);
     return textureSampleCompareLevel(shadow_map, shadow_sampler, at, depth);
 }
 
-// Share of lit taps on a disc, evenly spread in a spiral (Vogel 1979, "A better way to construct
-// the sunflower head"): from no direction do two taps lie in one line, so that a shadow's edge
-// has as many steps as there are taps, and none is seen as a band. `radius` is in map widths.
+// Share of lit taps on a disc, evenly distributed on a spiral (Vogel 1979, "A better way to
+// construct the sunflower head"). No two taps align in any direction, so a shadow's edge has as
+// many steps as there are taps, and banding is invisible. `radius` is in map widths.
 fn taps(light: u32, q: vec3<f32>, radius: f32, count: i32, shift: vec2<f32>) -> f32 {
     var sum = 0.0;
     var total = 0.0;
@@ -36,22 +36,22 @@ fn taps(light: u32, q: vec3<f32>, radius: f32, count: i32, shift: vec2<f32>) -> 
         let w = 1.0 - 0.65 * r2;
         sum += w * lit_at(light, q.xy + (way * sqrt(r2) + shift) * radius, q.z);
         total += w;
-        // On by the golden angle.
+        // Rotation by the golden angle.
         way = vec2<f32>(-0.7373688 * way.x - 0.6754903 * way.y, 0.6754903 * way.x - 0.7373688 * way.y);
     }
     return sum / total;
 }
 
-// A shift by part of a tap hides the steps that are left. More would be seen as grain, as no
-// later picture evens it out.
+// A shift by part of a tap hides the remaining steps. A larger shift would be visible as grain,
+// because no later frame averages it.
 fn tap_shift(at: vec2<f32>) -> vec2<f32> {
     let grain = pixel_noise(at);
     return (vec2<f32>(grain, fract(grain * 7.31 + 0.37)) - 0.5) * 0.12;
 }
 
-// Share of the key light that arrives, 0..1, at the pixel `at`. Shadows are soft from
-// afar and sharpen towards contact: what lies within 4 cm towards the lamp is filtered
-// narrowly, all else widely.
+// Share of the key light that reaches the point, 0..1, at the pixel `at`. Shadows are soft from far
+// occluders and sharpen towards contact: occluders within 4 cm towards the lamp are filtered
+// narrowly, all others widely.
 fn key_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
     if SHADOWS < 1u {
         return 1.0;
@@ -67,7 +67,7 @@ fn key_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
     return far * (1.0 - saturate1(near));
 }
 
-// The same with a single look.
+// The same with a single sample.
 fn sharp_share(p: vec3<f32>, n: vec3<f32>) -> f32 {
     if SHADOWS < 1u {
         return 1.0;
@@ -84,8 +84,8 @@ fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
     return taps(0u, q, frame.shadow.x * 1.4, 7, tap_shift(at));
 }
 
-// Whether a point that lies `lift` metres off the surface gets light: 0 where something else
-// than the surface's own bend keeps it off, 0..1 at such a shadow's edge.
+// Light at a point `lift` metres off the surface: 0 where an occluder other than the surface's own
+// curvature blocks it, 0..1 at the edge of such a shadow.
 fn lifted_share(light: u32, p: vec3<f32>, n: vec3<f32>, lift: f32, at: vec2<f32>) -> f32 {
     if SHADOWS < 1u {
         return 1.0;
@@ -94,7 +94,7 @@ fn lifted_share(light: u32, p: vec3<f32>, n: vec3<f32>, lift: f32, at: vec2<f32>
     return taps(light, q, frame.shadow.x * 1.4, 7, tap_shift(at));
 }
 
-// Share of the rim light that arrives, 0..1; always 1 where only the key has a shadow.
+// Share of the rim light that reaches the point, 0..1; always 1 if only the key has a shadow.
 fn rim_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
     if SHADOWS < 2u {
         return 1.0;
@@ -103,8 +103,9 @@ fn rim_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
     return taps(1u, q, frame.shadow.x * 1.4, 7, tap_shift(at));
 }
 
-// How easily light gets through what lies between p and the lamp, 0..1: how near to p, of
-// about 2, 3.5, 5.5 and 8 mm, it entered. The pixel `at` shifts the steps, so that none shows.
+// Transmittance of the material between p and the lamp, 0..1: the share of the depths of about 2,
+// 3.5, 5.5 and 8 mm within which the light entered. The pixel `at` shifts the steps, so that none
+// is visible.
 fn thinness(light: u32, p: vec3<f32>, at: vec2<f32>) -> f32 {
     if SHADOWS < 2u {
         return 0.0;
@@ -116,8 +117,8 @@ fn thinness(light: u32, p: vec3<f32>, at: vec2<f32>) -> f32 {
         + lit_at(light, uv, q.z - 5.5 * mm) + lit_at(light, uv, q.z - 8.0 * mm));
 }
 
-// GGX with the height-correlated Smith term in Hammon's approximation (GDC 2017),
-// times the cosine; without Fresnel.
+// GGX with the height-correlated Smith term in Hammon's approximation (GDC 2017), times the cosine;
+// without Fresnel.
 fn specular(n: vec3<f32>, v: vec3<f32>, l: vec3<f32>, roughness: f32) -> f32 {
     let h = normalize(v + l);
     let ndl = saturate1(dot(n, l));
@@ -130,10 +131,10 @@ fn specular(n: vec3<f32>, v: vec3<f32>, l: vec3<f32>, roughness: f32) -> f32 {
     return min(a2 / (PI * d * d) * visibility * ndl, 24.0);
 }
 
-// Roughness of a surface whose normal varies within the pixel as much as its derivatives say: a
-// lobe never gets narrower than what one sample can tell (Tokuyoshi and Kaplanyan 2019,
-// "Improved geometric specular antialiasing", eq. 3 with their variance 0.25 and threshold
-// 0.18). Without it a sharp bend lights up single pixels.
+// Roughness adjusted to the variation of the normal within the pixel, as given by its derivatives:
+// a lobe is never narrower than one sample can resolve (Tokuyoshi and Kaplanyan 2019, "Improved
+// geometric specular antialiasing", eq. 3 with their variance 0.25 and threshold 0.18). Without it
+// a strong curvature lights up single pixels.
 fn filtered_roughness(n: vec3<f32>, roughness: f32) -> f32 {
     let dx = dpdx(n);
     let dy = dpdy(n);
@@ -157,25 +158,25 @@ fn ambient(n: vec3<f32>) -> vec3<f32> {
     return max((flat + bent).xyz, vec3<f32>(0.0));
 }
 
-// What a smooth surface mirrors from a direction: the room, its pale ceiling, and a large
-// soft lamp at the key.
+// Reflection of a smooth surface in a direction: the room, its pale ceiling, and a large soft lamp
+// at the key.
 fn mirrored(r: vec3<f32>) -> vec3<f32> {
     let lamp = smoothstep(0.55, 1.0, dot(r, frame.key_dir.xyz));
     let ceiling = smoothstep(0.45, 0.8, r.y);
     return ambient(r) * 0.75 + frame.sky.xyz * (0.4 * ceiling) + frame.key.xyz * (0.5 * lamp * lamp);
 }
 
-// Share of a large round lamp, hung in the direction of a light, seen in a mirror direction; 0..1.
-// `size` is the tangent of its half width; it fades towards its edge as a soft lamp does.
+// Visible share of a large round lamp in the direction of a light, along a mirror direction; 0..1.
+// `size` is the tangent of its half width. It fades towards its edge like a soft lamp.
 fn lamp_share(r: vec3<f32>, l: vec3<f32>, size: f32) -> f32 {
     let facing = dot(r, l);
     let off = length(r - l * facing) / max(facing, 1e-3);
     return select(0.0, smoothstep(1.0, 0.45, off / size), facing > 0.2);
 }
 
-// Ambient occlusion as a colour: light bounced within the cavity takes the surface's
-// colour (polynomial of Jimenez et al. 2016, "Practical real-time strategies for
-// accurate indirect occlusion", eq. 10).
+// Ambient occlusion as a colour: light bounced within the cavity takes the surface's colour
+// (polynomial of Jimenez et al. 2016, "Practical real-time strategies for accurate indirect
+// occlusion", eq. 10).
 fn tinted_occlusion(ao: f32, albedo: vec3<f32>) -> vec3<f32> {
     let a = 2.0404 * albedo - 0.3324;
     let b = -4.7951 * albedo + 0.6417;

@@ -1,15 +1,15 @@
-// Teeth, gums, tongue: wet and in the shade of the lips.
+// Teeth, gums and tongue: wet, in the shadow of the lips.
 
 fn wet(v: VertexOut, n: vec3<f32>, albedo: vec3<f32>, wrap: f32, gloss: f32) -> vec3<f32> {
     let view = to_eye(v.world);
-    // Without shadows, the lips' own is taken for granted.
+    // Without shadow maps, a constant share accounts for the shadow of the lips.
     let share = select(key_share(v.world, n, v.clip.xy), 0.35, SHADOWS < 1u);
-    // Between lips that are hardly apart little light gets in.
+    // Little light passes between lips that are hardly open.
     let ao = v.color.a * (1.0 - 0.88 * exp(-0.6 * frame.eyes.y));
     let occlusion = tinted_occlusion(ao, albedo);
     let key_d = saturate1((dot(n, frame.key_dir.xyz) + wrap) / (1.0 + wrap));
     let fill_d = saturate1((dot(n, frame.fill_dir.xyz) + wrap) / (1.0 + wrap));
-    // The cavity takes the ambient from the front only.
+    // The cavity receives ambient light from the front only.
     let front = 0.35 + 0.65 * saturate1(n.z);
     var light = albedo * (frame.key.xyz * (key_d * mix(share, 1.0, 0.12) * ao)
         + (frame.fill.xyz * fill_d + ambient(n) * front) * occlusion);

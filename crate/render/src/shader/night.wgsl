@@ -1,10 +1,10 @@
-// Night on a meadow: hills, stars, the moon; a lantern hangs near the speaker.
+// Set "night": a meadow with hills, stars and the moon; a lantern hangs near the speaker.
 
-// Where the lantern hangs, metres.
+// Position of the lantern, metres.
 const LANTERN = vec3<f32>(-0.62, 1.36, -0.9);
 const LANTERN_COLOR = vec3<f32>(4.2, 2.3, 0.75);
 
-// A lamp far away.
+// A distant lamp.
 fn spot(d: vec2<f32>, blur: f32) -> f32 {
     let size = 0.0012 + 0.30 * blur;
     return smoothstep(1.3 * size, 0.7 * size, length(d));
@@ -15,12 +15,12 @@ fn night_sky(q: vec2<f32>, blur: f32) -> vec3<f32> {
     let low = frame.backdrop_low.xyz;
     var light = mix(low, frame.backdrop_high.xyz, smoothstep(-0.01, 0.17, q.y));
     let up = smoothstep(0.03, 0.10, q.y);
-    // What the lens spreads is the fainter for it.
+    // The lens spreads the light of a star, which dims it accordingly.
     let star = 0.0012 + 0.13 * blur;
     let spread = min(0.0028 / star, 1.0);
     let shine = discs(q, 0.047, star, star, 21) + 0.4 * discs(q + 0.013, 0.029, 0.6 * star, 0.6 * star, 22);
     light += frame.glow.xyz * (up * 0.65 * spread * shine);
-    // The moon, a cloud's breadth of light about it.
+    // The moon, with a halo as wide as a cloud.
     let m = q - vec2<f32>(0.118, 0.098);
     let d = length(m);
     let disc = smoothstep(0.0125 + 0.4 * blur, 0.0125 - 0.4 * blur, d);
@@ -32,7 +32,7 @@ fn night_sky(q: vec2<f32>, blur: f32) -> vec3<f32> {
     let near = 0.004 + 0.022 * sin(q.x * 9.0 - 1.3) + 0.008 * sin(q.x * 31.0 + 1.0);
     light = mix(light, low * mix(0.50, 0.34, smoothstep(-0.02, 0.04, q.y)), smoothstep(-blur, blur, far - q.y));
     light = mix(light, low * mix(0.34, 0.17, smoothstep(-0.03, 0.02, q.y)), smoothstep(-blur, blur, near - q.y));
-    // Windows of a village at the foot of the hills.
+    // Lit windows of a village at the foot of the hills.
     let w = q - vec2<f32>(-0.205, 0.007);
     let lamps = 0.8 * spot(w, blur) + spot(w - vec2<f32>(0.026, 0.004), blur)
         + 0.6 * spot(w - vec2<f32>(0.043, -0.003), blur)
@@ -40,8 +40,8 @@ fn night_sky(q: vec2<f32>, blur: f32) -> vec3<f32> {
     return light + frame.glow.xyz * vec3<f32>(2.6, 1.05, 0.20) * (0.50 * min(0.005 / blur, 1.0) * lamps);
 }
 
-// A lantern that hangs from a bough at the left, and the light about it: colour in xyz, how much is covered
-// in w; what shines is added beyond it.
+// A lantern on a bough at the left, and the light around it: colour in xyz, coverage in w; the
+// second value is the added glow.
 fn lantern(ray: vec3<f32>) -> array<vec4<f32>, 2> {
     let at = upright(ray, LANTERN.z);
     if at.z < 0.0 {
@@ -52,7 +52,7 @@ fn lantern(ray: vec3<f32>) -> array<vec4<f32>, 2> {
     let flame = frame.glow.xyz * LANTERN_COLOR;
     let l = at.xy - LANTERN.xy;
     let r2 = dot(l, l);
-    // Bough and leaves before the sky, lit from the lantern's side.
+    // Bough and leaves in front of the sky, lit from the lantern's side.
     let bend = 1.72 + 0.10 * sin(at.x * 2.6 + 0.6) - 0.05 * at.x;
     let bough = drawn(abs(at.y - bend), 0.020 + 0.018 * saturate1(-at.x - 0.2), blur) * smoothstep(-0.20, -0.45, at.x);
     let trunk = within(at.x + 1.16 + 0.04 * sin(at.y * 2.0), 0.115, blur);
@@ -77,8 +77,8 @@ fn lantern(ray: vec3<f32>) -> array<vec4<f32>, 2> {
     return array<vec4<f32>, 2>(seen, vec4<f32>(halo, 0.0));
 }
 
-// A fence with tall grass at its foot, in the lantern's light on this side and the moon's from beyond: how much
-// it covers in w.
+// A fence with tall grass at its foot, lit by the lantern on this side and by the moon from behind;
+// w is the coverage.
 fn fence(ray: vec3<f32>) -> vec4<f32> {
     let at = upright(ray, -3.3);
     if at.z < 0.0 {
@@ -93,7 +93,7 @@ fn fence(ray: vec3<f32>) -> vec4<f32> {
     let sag = 0.02 * sin(p.x * 2.1);
     let rails = max(within(p.y - 0.90 - sag, 0.036, blur), within(p.y - 0.56 + sag, 0.036, blur));
     let grain = 0.75 + 0.5 * patches(vec2<f32>(p.x * 5.0, p.y * 70.0));
-    // The moon lies on upper edges.
+    // The moon lights the upper edges.
     let edge = max(within(p.y - 0.93 - sag, 0.010, blur) * rails, 0.7 * within(post - 0.045, 0.010, blur) * stake);
     let wood = vec3<f32>(0.105, 0.078, 0.055) * grain * (lit + frame.sky.xyz * 0.5) + frame.rim.xyz * (0.085 * saturate1(edge));
     var seen = vec4<f32>(wood, max(stake, rails));
@@ -110,7 +110,7 @@ fn fs_night(v: TheatreOut) -> @location(0) vec4<f32> {
     let t_floor = floor_time(v.ray);
     let distance = min(t_floor * length(v.ray), 60.0);
     let blur = far_blur();
-    // Mist lies low: the moon comes through.
+    // Mist is low, so the moon shines through.
     let air = mix(16.0, 2.5, smoothstep(-0.02, 0.14, q.y));
     var light = fogged(night_sky(q, blur), air + length(frame.eye_in_world.xz));
     if t_floor < 1e8 {
@@ -119,7 +119,7 @@ fn fs_night(v: TheatreOut) -> @location(0) vec4<f32> {
         let r = length(p.xz);
         let ground = frame.floor.xyz * (grass(p, px)) * (floor_light(p, v.clip.xy, 0.22) + frame.rim.xyz * 0.35);
         let meadow = mix(ground, frame.backdrop_low.xyz * 0.34, smoothstep(1.5, 20.0, r));
-        // The lantern's light on the grass.
+        // Light of the lantern on the grass.
         let d = p.xz - LANTERN.xz;
         let lit = frame.floor.xyz * frame.glow.xyz * vec3<f32>(4.2, 2.6, 0.9) * (0.9 * grass(p, px) / (1.0 + 1.6 * dot(d, d)));
         light = mix(light, fogged(meadow + lit, distance), smoothstep(-0.002, -0.004 - blur, q.y));

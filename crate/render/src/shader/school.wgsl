@@ -1,14 +1,14 @@
-// A classroom: a window, a blackboard, the teacher's desk.
+// Set "school": a classroom with a window, a blackboard and the teacher's desk.
 
-// Middles of the blackboard and of the window on the wall, metres.
+// Centres of the blackboard and of the window on the wall, metres.
 const BOARD_X = 0.62;
 const BOARD_Y = 1.56;
 const WINDOW_X = -1.28;
 
-// What is written on the board: A B C, a house under a sun, a triangle; 0..1.
+// Chalk on the board: A B C, a house under a sun, a triangle; 0..1.
 fn on_board(q: vec2<f32>, blur: f32) -> f32 {
     var lines = array<vec4<f32>, 20>(
-        // A B C: from, to.
+        // A B C: start and end points.
         vec4<f32>(-0.02, 0.18, 0.06, 0.40), vec4<f32>(0.06, 0.40, 0.14, 0.18), vec4<f32>(0.01, 0.26, 0.11, 0.26),
         vec4<f32>(0.24, 0.18, 0.24, 0.40), vec4<f32>(0.24, 0.40, 0.35, 0.36), vec4<f32>(0.35, 0.36, 0.25, 0.30),
         vec4<f32>(0.25, 0.30, 0.38, 0.25), vec4<f32>(0.38, 0.25, 0.24, 0.18), vec4<f32>(0.63, 0.37, 0.55, 0.40),
@@ -22,7 +22,7 @@ fn on_board(q: vec2<f32>, blur: f32) -> f32 {
     for (var i = 0; i < 20; i++) {
         nearest = min(nearest, from_piece(q, lines[i].xy, lines[i].zw));
     }
-    // The sun over it.
+    // The sun above the house.
     let s = q - vec2<f32>(0.74, -0.06);
     let around = atan2(s.y, s.x);
     let ray = abs(fract(around * 1.5915 + 0.5) - 0.5) * length(s) * 0.6283;
@@ -49,7 +49,7 @@ fn school_wall(u: f32, y: f32, blur: f32) -> vec3<f32> {
     var light = mix(low * 0.60, frame.backdrop_high.xyz * 0.80, smoothstep(-blur, blur, y - 0.74));
     light = mix(light, frame.floor.xyz * 0.62, within(y - 0.74, 0.025, blur));
     light = mix(light, frame.floor.xyz * 0.40, smoothstep(blur, -blur, y - 0.09));
-    // Daylight from the windows at the character's right, less of it under the ceiling.
+    // Daylight from the windows at the character's right, weaker under the ceiling.
     light *= mix(1.12, 0.60, smoothstep(-1.0, 2.2, u)) * mix(1.0, 0.72, smoothstep(2.0, 3.6, y));
     light *= mix(1.0, 0.70, smoothstep(1.0, 2.6, abs(u)));
     let q = vec2<f32>(u - BOARD_X, y - BOARD_Y);
@@ -58,7 +58,7 @@ fn school_wall(u: f32, y: f32, blur: f32) -> vec3<f32> {
     let wood = within_box(q, vec2<f32>(1.22, 0.62), blur);
     light = mix(light, frame.floor.xyz * (0.75 - 0.2 * q.y), wood);
     let board = within_box(q, vec2<f32>(1.16, 0.56), blur);
-    // Chalk that was wiped away, and what was written after it.
+    // Wiped chalk, with newer writing over it.
     let dust = patches(q * vec2<f32>(1.6, 3.1) + 5.0) * 0.6 + patches(q * vec2<f32>(5.0, 3.0)) * 0.4;
     var chalk = 0.13 * dust;
     if board > 0.0 {
@@ -72,8 +72,7 @@ fn school_wall(u: f32, y: f32, blur: f32) -> vec3<f32> {
     return mix(light, frame.floor.xyz * 0.62, tray);
 }
 
-// The teacher's desk at the character's left, two books and an apple on it; how much it covers
-// is in w.
+// The teacher's desk at the character's left with two books and an apple; w is the coverage.
 fn desk(ray: vec3<f32>) -> vec4<f32> {
     let eye = frame.eye_in_world.xyz;
     let wood = frame.floor.xyz;
@@ -85,13 +84,13 @@ fn desk(ray: vec3<f32>) -> vec4<f32> {
     let blur = edge_blur(t_front * length(ray));
     let f = (eye + ray * t_front).xy - vec2<f32>(1.34, 0.37);
     let p = (eye + ray * t_top).xz - vec2<f32>(1.34, -1.75);
-    // Its front: a panel between posts.
+    // Front of the desk: a panel between posts.
     let front = within_box(f, vec2<f32>(0.62, 0.37), blur);
     let inset = within_box(f - vec2<f32>(0.0, -0.03), vec2<f32>(0.52, 0.27), blur);
     var tone = wood * (0.52 - 0.14 * inset) * mix(0.55, 1.0, smoothstep(-0.37, 0.30, f.y));
     let top = select(0.0, within_box(p, vec2<f32>(0.66, 0.32), blur), ray.y < -1e-4);
     tone = mix(tone, wood * 1.25, max(top, within_box(f - vec2<f32>(0.0, 0.36), vec2<f32>(0.66, 0.02), blur)));
-    // What lies there stands upright in the plane of the front: books, an apple on them, a globe.
+    // Objects on the desk, upright in the plane of the front: books, an apple on them, a globe.
     let b = f - vec2<f32>(-0.10, 0.43);
     let books = within_box(b, vec2<f32>(0.15, 0.055), blur);
     let cover = mix(vec3<f32>(0.30, 0.42, 0.62), vec3<f32>(0.62, 0.36, 0.26), smoothstep(-blur, blur, b.y));

@@ -1,18 +1,17 @@
-// Places beside the theatre: fireside, garden, night and school. As the curtain they are found
-// by casting the pixel's ray, without triangles; each has a fragment shader of its own. All
-// shapes and factors are designed by eye; colours come from the set's alone, so that a tint
-// reaches everything.
+// Functions of the sets fireside, garden, night and school. Like the curtain, the sets are ray-cast
+// per pixel, without triangles; each has its own fragment shader. All shapes and factors are chosen
+// by eye. Colours come only from the set's uniforms, so that a tint affects everything.
 
-// Diameter of the lens, metres: what is behind the speaker is out of focus by as much.
+// Diameter of the lens, metres; determines the blur behind the speaker.
 const APERTURE = 0.023;
 
-// Half the width of an edge at a place this far off, metres, as the lens blurs it; a pixel at least.
+// Half the width of a blurred edge at this distance, metres; at least one pixel.
 fn edge_blur(distance: f32) -> f32 {
     let focus = max(length(frame.eye_in_world.xz - frame.stand.xz), 1.0);
     return APERTURE * abs(distance / focus - 1.0) + distance * frame.viewport.w;
 }
 
-// The same far away, radians.
+// The same at infinity, radians.
 fn far_blur() -> f32 {
     let focus = max(length(frame.eye_in_world.xz - frame.stand.xz), 1.0);
     return APERTURE / focus + 0.6 * frame.viewport.w;
@@ -40,7 +39,7 @@ fn patches(p: vec2<f32>) -> f32 {
     return mix(low, high, u.y);
 }
 
-// Lights out of focus: in some cells of a grid a disc, its share and brightness.
+// Defocused lights: a disc in some cells of a grid, with its coverage and brightness.
 fn discs(p: vec2<f32>, cell: f32, radius: f32, blur: f32, seed: i32) -> f32 {
     let q = p / cell;
     let c = floor(q);
@@ -52,12 +51,13 @@ fn discs(p: vec2<f32>, cell: f32, radius: f32, blur: f32, seed: i32) -> f32 {
     return smoothstep(radius + blur, radius - blur, d) * smoothstep(0.45, 1.0, shine);
 }
 
-// What reaches the floor; `even` is 0 in a pool of light and 1 under an open sky.
+// Light on the floor; `even` is 0 in a pool of light and 1 under an open sky.
 fn floor_light(p: vec3<f32>, at: vec2<f32>, even: f32) -> vec3<f32> {
     let from_stand = p.xz - frame.stand.xz;
     let r2 = dot(from_stand, from_stand);
     let pool = mix(exp(-r2 * 0.55), 1.0, even);
-    // A lamp as wide as a hearth or a window leaves half of its light in the shadow on a floor.
+    // A light source as wide as a hearth or a window leaves half of its light in a shadow on the
+    // floor.
     let share = 0.55 + 0.45 * key_share(p, vec3<f32>(0.0, 1.0, 0.0), at);
     let body = 1.0 - 0.35 * exp(-r2 / 0.10);
     return frame.key.xyz * (frame.key_dir.y * share * (0.10 + 0.95 * pool))
@@ -69,7 +69,8 @@ fn floor_time(ray: vec3<f32>) -> f32 {
     return select(1e9, -eye.y / ray.y, ray.y < -1e-6 && eye.y > 0.0);
 }
 
-// The wall of a room: the place in xyz, x unrolled around the corners; in w the ray's time.
+// Intersection with the wall of a room: the point in xyz, x unrolled around the corners; the ray
+// parameter in w.
 fn room_wall(ray: vec3<f32>, back: f32, half: f32) -> vec4<f32> {
     let eye = frame.eye_in_world.xyz;
     let rx = select(ray.x, 1e-5, abs(ray.x) < 1e-5);
@@ -83,7 +84,8 @@ fn room_wall(ray: vec3<f32>, back: f32, half: f32) -> vec4<f32> {
     return vec4<f32>(u, p.yz, t);
 }
 
-// Where the ray leaves a round wall whose middle lies `middle` metres before the stage's.
+// Ray parameter at the exit from a round wall whose centre is `middle` metres in front of the
+// stage's centre.
 fn round_time(ray: vec3<f32>, middle: f32, radius: f32) -> f32 {
     let o = frame.eye_in_world.xz - vec2<f32>(0.0, middle);
     let a = max(dot(ray.xz, ray.xz), 1e-8);
@@ -92,22 +94,22 @@ fn round_time(ray: vec3<f32>, middle: f32, radius: f32) -> f32 {
     return (-b + sqrt(max(b * b - a * c, 0.0))) / a;
 }
 
-// How long what moves has moved, seconds; 0 where it is to be still.
+// Time of the set's animation, seconds; 0 for a still set.
 fn set_time() -> f32 { return frame.eye_in_world.w; }
 
-// Distance of a place from a line's piece, metres.
+// Distance of a point from a line segment, metres.
 fn from_piece(p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> f32 {
     let ab = b - a;
     return length(p - a - ab * saturate1(dot(p - a, ab) / max(dot(ab, ab), 1e-8)));
 }
 
-// 1 on a line of this half width, with soft edges: thinner than its blur it is the fainter.
+// 1 on a line of this half width, with soft edges; a line thinner than its blur fades.
 fn drawn(distance: f32, half: f32, blur: f32) -> f32 {
     return smoothstep(half + blur, half - blur, distance) * min(1.0, 0.4 + half / max(blur, 1e-4));
 }
 
-// An upright plane at `z` before the wall, where the ray meets it: place in xy, time in z; the time is
-// negative where it does not.
+// Intersection of the ray with an upright plane at `z` in front of the wall: point in xy, ray
+// parameter in z. The parameter is negative without an intersection.
 fn upright(ray: vec3<f32>, z: f32) -> vec3<f32> {
     let eye = frame.eye_in_world.xyz;
     let t = (z - eye.z) / min(ray.z, -1e-4);
@@ -115,12 +117,13 @@ fn upright(ray: vec3<f32>, z: f32) -> vec3<f32> {
     return vec3<f32>((eye + ray * t).xy, select(-1.0, t, met));
 }
 
-// Leaves on an upright plane, three layers of blades that sway; `there` is how dense they are at the place, 0..1:
-// share of green in x and of sunlight through them in y, how much they cover in z.
+// Leaves on an upright plane: three layers of swaying blades. `there` is their density at the
+// point, 0..1. Returns the share of green in x, the share of sunlight through them in y, and the
+// coverage in z.
 fn foliage(p: vec2<f32>, there: f32, blur: f32) -> vec3<f32> {
     var seen = vec3<f32>(0.0);
     let t = set_time();
-    // Turned against the edges of the picture, so that they make no rows.
+    // Rotated against the edges of the image, so that no rows appear.
     let leaning = mat2x2<f32>(0.80, 0.60, -0.60, 0.80);
     for (var i = 0; i < 3; i++) {
         let f = f32(i);
@@ -134,13 +137,13 @@ fn foliage(p: vec2<f32>, there: f32, blur: f32) -> vec3<f32> {
         let d = q - cell - 0.5 - 0.10 * vec2<f32>(along.y, along.x);
         let l = vec2<f32>(dot(d, along), dot(d, vec2<f32>(-along.y, along.x)));
         let b = min(blur * (11.0 + 2.5 * f), 0.17);
-        // What is blurred must not reach beyond its cell.
-        // Where fewer grow they are small: none is cut in two.
+        // A blurred leaf must not extend beyond its cell.
+        // Leaves are small at low density, so none is cut in two.
         let grown = smoothstep(0.0, 0.12, there - hash_unit(id + vec3<i32>(0, 0, 9)));
         let half = (0.33 - 0.4 * b) * grown;
         let blade = smoothstep(half + b, half - b, length(l * vec2<f32>(1.0, 1.9 + 1.2 * l.x)));
         seen = mix(seen, vec3<f32>(0.7 + 0.9 * bright, bright * bright, 1.0), blade * smoothstep(0.0, 0.3, grown));
     }
-    // Mixed over nothing, tones are weighted with what they cover.
+    // Tones are blended over nothing, so they are weighted by their coverage.
     return vec3<f32>(seen.xy / max(seen.z, 1e-3), seen.z);
 }

@@ -1,13 +1,13 @@
-// The lowest quality, which a processor draws: the colour of the surface in the light of three
-// lamps and the room, without shadows or shine, encoded at once.
+// Lowest quality, rendered on a CPU: the colour of the surface in the light of three lamps and the
+// room, without shadows or specular light, encoded immediately.
 
 fn room(n: vec3<f32>) -> vec3<f32> {
     let c = frame.ambient;
     return max((c[0] + c[1] * n.y + c[2] * n.z + c[3] * n.x).xyz, vec3<f32>(0.0));
 }
 
-// Diffuse light on a surface; `wrap` is how far it reaches past the terminator. The key's
-// shadows are missing, so occlusion stands in for a part of them.
+// Diffuse light on a surface; `wrap` is its extent past the terminator. The key has no shadows, so
+// occlusion replaces a part of them.
 fn lit_simply(n: vec3<f32>, ao: f32, wrap: f32) -> vec3<f32> {
     let facing = vec3<f32>(dot(n, frame.key_dir.xyz), dot(n, frame.fill_dir.xyz), dot(n, frame.rim_dir.xyz));
     let d = saturate((facing + wrap) / (1.0 + wrap));
@@ -15,8 +15,8 @@ fn lit_simply(n: vec3<f32>, ao: f32, wrap: f32) -> vec3<f32> {
         + frame.rim.xyz * (d.z * ao * ao * 0.6);
 }
 
-// What shadows take on a face in the mean, less what its shine adds: measured on six figures, whose
-// mean colour is then that of the highest quality.
+// Mean effect of shadows on a face, less that of specular light: measured on six figures, whose
+// mean colour then equals that of the highest quality.
 const SHADED = vec3<f32>(0.92, 0.925, 0.945);
 
 @fragment
@@ -33,7 +33,7 @@ fn fs_simple_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @locatio
 
 @fragment
 fn fs_simple_hair(v: VertexOut) -> @location(0) vec4<f32> {
-    // Single hairs, the last strips of the atlas, would be cut to dots.
+    // Single hairs, the last strips of the atlas, would break into dots.
     if v.uv.x > 0.75 {
         discard;
     }

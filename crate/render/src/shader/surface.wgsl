@@ -1,22 +1,22 @@
-// Pictures of a surface: colour and alpha, normals in tangent space, heights of wrinkles.
+// Textures of a surface: colour and alpha, normals in tangent space, heights of wrinkles.
 
 @group(2) @binding(0) var color_map: texture_2d<f32>;
 @group(2) @binding(1) var normal_map: texture_2d<f32>;
 @group(2) @binding(2) var map_sampler: sampler;
 @group(2) @binding(3) var wrinkle_map: texture_2d<f32>;
-// Strands of hair: cover, height in the bundle, number.
+// Strands of hair: coverage, height in the bundle, number.
 @group(2) @binding(4) var strand_map: texture_2d<f32>;
 @group(2) @binding(5) var strand_sampler: sampler;
 
-// Colour and alpha of the surface, linear: material, vertex and picture. The vertex's own
-// alpha is occlusion.
+// Colour and alpha of the surface, linear: the product of material, vertex and texture. The
+// vertex's own alpha is occlusion.
 fn painted(v: VertexOut) -> vec4<f32> {
     return textureSample(color_map, map_sampler, v.uv) * material.base * vec4<f32>(v.color.rgb, 1.0);
 }
 
-// The normal map's normal around n, which looks at the viewer. The files carry no
-// tangents: the frame follows from how uv changes over the screen (Schüler 2013, "Followup:
-// normal mapping without precomputed tangents"). +y runs along shrinking v, as in glTF.
+// Normal from the normal map around n, which faces the viewer. The files contain no tangents, so
+// the frame follows from the screen-space derivatives of uv (Schüler 2013, "Followup: normal
+// mapping without precomputed tangents"). +y runs along decreasing v, as in glTF.
 fn mapped_normal(v: VertexOut, n: vec3<f32>) -> vec3<f32> {
     let m = textureSample(normal_map, map_sampler, v.uv).xyz * (255.0 / 127.0) - 128.0 / 127.0;
     let px = dpdx(v.world);
@@ -25,7 +25,7 @@ fn mapped_normal(v: VertexOut, n: vec3<f32>) -> vec3<f32> {
     let ty = dpdy(v.uv);
     let across = cross(py, n);
     let down = cross(n, px);
-    // Whether the screen's y runs up or down, the frame keeps its hand.
+    // The frame's handedness is independent of the direction of the screen's y axis.
     let turn = sign(dot(px, across));
     let t = (across * tx.x + down * ty.x) * turn;
     let b = (across * tx.y + down * ty.y) * turn;

@@ -1,5 +1,5 @@
-// The little theatre: a board floor in a pool of light, and a curtain hung in a wide
-// curve behind the speaker. Found by casting the pixel's ray, so it has no triangles.
+// Set "theatre": a board floor in a pool of light, and a curtain in a wide curve behind the
+// speaker. Ray-cast per pixel, without triangles.
 
 const CURTAIN_RADIUS = 3.1;
 
@@ -10,7 +10,7 @@ struct TheatreOut {
 
 @vertex
 fn vs_theatre(@builtin(vertex_index) i: u32) -> TheatreOut {
-    // One triangle over the whole picture, at the far plane.
+    // One triangle over the whole image, at the far plane.
     let q = vec2<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
     var o: TheatreOut;
     o.clip = vec4<f32>(q, 1.0, 1.0);
@@ -18,22 +18,23 @@ fn vs_theatre(@builtin(vertex_index) i: u32) -> TheatreOut {
     return o;
 }
 
-// Where the curtain bends: depth of the fold in z (0..1) and slope along the arc in x.
+// Curvature of the curtain: depth of the fold in z (0..1) and slope along the arc in x.
 fn folds(arc: f32, height: f32) -> vec2<f32> {
-    // Folds swing a little as they fall, and no two are the same.
+    // Folds vary with height, and each fold is different.
     let sway = 0.30 * sin(arc * 1.7 + 0.8 + 0.35 * height) + 0.16 * sin(arc * 4.1 - 0.5 * height + 2.0);
     let phase = arc * 15.0 + sway * 2.6;
-    // Cloth that hangs is round before and narrow behind; the lens, which is focused on the speaker, leaves less of it.
+    // Hanging cloth is round in front and narrow behind. The lens, focused on the speaker, softens
+    // the folds.
     let s = sin(phase);
     return vec2<f32>(0.75 * cos(phase) * (1.0 - 0.45 * s), 0.56 + 0.36 * s - 0.12 * s * s);
 }
 
-// The valance above: swags with a fringe of gold. How much it covers is in w.
+// The valance above: swags with a gold fringe; w is the coverage.
 fn valance(arc: f32, y: f32, tone: vec3<f32>, light: vec3<f32>) -> vec4<f32> {
     let blur = 0.014;
     let swag = fract(arc / 1.16 + 0.5) - 0.5;
     let edge = 2.03 + 0.62 * swag * swag;
-    // Folds run from both upper corners to the middle.
+    // Folds run from both upper corners to the centre.
     let fall = (2.75 - y) / max(2.75 - edge, 0.1);
     let fold = sin(24.0 * fall + 9.0 * swag * swag);
     let cloth = (tone * 1.35 + light * 0.30) * (0.85 + 0.35 * fold) * mix(1.0, 0.55, smoothstep(0.36, 0.5, abs(swag)));
@@ -55,7 +56,7 @@ fn curtain(p: vec3<f32>, ray: vec3<f32>) -> vec3<f32> {
     let n = normalize(inwards - aside * (fold.x * 0.42));
     let high = smoothstep(0.2, 3.4, p.y);
     let tone = mix(frame.backdrop_low.xyz, frame.backdrop_high.xyz, high);
-    // The pool behind the speaker: wide, low, and softer upwards.
+    // Pool of light behind the speaker: wide, low, and softer upwards.
     let q = vec2<f32>(arc * 0.72, (p.y - 1.30) * 0.72);
     let pool = exp(-dot(q, q) * 1.35);
     let cavity = mix(0.45, 1.10, smoothstep(0.0, 1.0, fold.y));
@@ -64,15 +65,15 @@ fn curtain(p: vec3<f32>, ray: vec3<f32>) -> vec3<f32> {
     let pile = 1.0 - abs(dot(n, normalize(ray)));
     var light = tone * (0.55 + 0.75 * from_key) + frame.glow.xyz * (pool * (0.55 + 0.6 * from_key));
     light += (tone + frame.glow.xyz * pool) * (0.35 * pile * pile);
-    // The foot of the curtain darkens to the floor.
+    // The foot of the curtain darkens towards the floor.
     light *= cavity * mix(0.55, 1.0, smoothstep(0.0, 0.5, p.y));
     let above = valance(arc, p.y, tone, frame.glow.xyz * exp(-0.5 * arc * arc));
-    // Its shadow lies on the cloth below.
+    // Shadow of the valance on the cloth below.
     let shade = smoothstep(0.30, 0.0, 1.98 + 0.50 * pow(fract(arc / 1.16 + 0.5) - 0.5, 2.0) - p.y);
     return mix(light * (1.0 - 0.45 * shade), above.xyz, above.w);
 }
 
-// How much of the air's colour is in the way from a place `distance` metres off.
+// Blends in the colour of the fog for a point at `distance` metres.
 fn fogged(light: vec3<f32>, distance: f32) -> vec3<f32> {
     let beyond = max(distance - length(frame.eye_in_world.xz - frame.stand.xz), 0.0);
     return mix(frame.fog.xyz, light, exp(-frame.fog.w * beyond));
@@ -94,7 +95,7 @@ fn planks(p: vec3<f32>, px: f32) -> vec2<f32> {
     return vec2<f32>((0.86 + 0.28 * tint + 0.30 * grain * seen) * mix(0.72, 1.0, groove), groove);
 }
 
-// Soles darken the floor right under them; `share` is how much.
+// Contact shadow of the soles on the floor; `share` is its strength.
 fn contact_shade(p: vec3<f32>, share: f32) -> f32 {
     var contact = 1.0;
     for (var i = 0; i < 2; i++) {
@@ -117,7 +118,7 @@ fn boards(p: vec3<f32>, ray: vec3<f32>, distance: f32, at: vec2<f32>) -> vec3<f3
     let body = 1.0 - 0.35 * exp(-dot(from_stand, from_stand) / 0.10);
     var light = tone * (key + (frame.sky.xyz * (0.25 + 0.45 * pool) + frame.glow.xyz) * (contact * body));
 
-    // Waxed boards mirror the curtain faintly.
+    // Waxed boards reflect the curtain faintly.
     let view = -normalize(ray);
     let f = fresnel(0.03, view.y);
     let r = vec3<f32>(ray.x, -ray.y, ray.z);
@@ -129,7 +130,7 @@ fn boards(p: vec3<f32>, ray: vec3<f32>, distance: f32, at: vec2<f32>) -> vec3<f3
     return light;
 }
 
-// An even wall that runs into the floor; only the figure's shadow tells where it lies.
+// A plain wall that blends into the floor; only the figure's shadow shows the boundary.
 fn studio(ray: vec3<f32>, t_floor: f32, at: vec2<f32>) -> vec3<f32> {
     let up = normalize(ray).y;
     let wall = mix(frame.backdrop_low.xyz, frame.backdrop_high.xyz, smoothstep(-0.25, 0.35, up));
@@ -146,7 +147,7 @@ fn studio(ray: vec3<f32>, t_floor: f32, at: vec2<f32>) -> vec3<f32> {
 @fragment
 fn fs_theatre(v: TheatreOut) -> @location(0) vec4<f32> {
     let eye = frame.eye_in_world.xyz;
-    // Curtain: a cylinder around the place where the figure stands at rest.
+    // Curtain: a cylinder around the rest position of the figure.
     let o = eye.xz;
     let d = v.ray.xz;
     let a = max(dot(d, d), 1e-8);
@@ -159,11 +160,11 @@ fn fs_theatre(v: TheatreOut) -> @location(0) vec4<f32> {
     if frame.backdrop_low.w < 0.5 {
         return written(studio(v.ray, t_floor, v.clip.xy), 1.0, v.clip.xy);
     }
-    // Floor outside the curtain, on the camera's side, is the front of the stage.
+    // The floor outside the curtain, on the camera's side, is the front of the stage.
     if t_floor < t_curtain {
         let p = eye + v.ray * t_floor;
         light = boards(p, v.ray, t_floor * length(v.ray), v.clip.xy);
-        // The boards sink into the dark towards the curtain's foot and the audience.
+        // The boards darken towards the curtain's foot and the audience.
         light *= mix(1.0, 0.55, smoothstep(2.0, CURTAIN_RADIUS, length(p.xz)));
     } else {
         light = curtain(eye + v.ray * t_curtain, v.ray);

@@ -1,10 +1,10 @@
-// The last pass: tone curve, sRGB encoding, dithering; smooths edges when the picture
-// has one sample a pixel.
+// The last pass: tone curve, sRGB encoding and dithering. Also smooths edges if the frame has one
+// sample per pixel.
 
 @group(0) @binding(1) var picture: texture_2d<f32>;
 @group(0) @binding(2) var picture_sampler: sampler;
 
-// 1: one sample a pixel, so edges are smoothed here.
+// 1: one sample per pixel, so edges are smoothed here.
 override SMOOTH_EDGES: u32 = 0u;
 // 1: the target encodes sRGB itself.
 override TARGET_ENCODES: u32 = 0u;
@@ -16,11 +16,12 @@ fn vs_tone_map(@builtin(vertex_index) i: u32) -> @builtin(position) vec4<f32> {
 
 struct StillOut {
     @builtin(position) clip: vec4<f32>,
-    // Place in the still, and what it is over: both are linear in the picture.
+    // Position in the still and its divisor: both are linear in the image.
     @location(0) place: vec3<f32>,
 };
 
-// The backdrop as it was drawn before, behind everything: the camera has turned and zoomed since.
+// The previously rendered backdrop, behind everything, reprojected to the current rotation and zoom
+// of the camera.
 @vertex
 fn vs_still(@builtin(vertex_index) i: u32) -> StillOut {
     let q = vec2<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
@@ -42,7 +43,7 @@ fn light_at(uv: vec2<f32>) -> vec3<f32> {
     return textureSampleLevel(picture, picture_sampler, uv, 0.0).rgb;
 }
 
-// Brightness for finding edges: close to the encoded output, at little cost.
+// Luma for edge detection: a cheap approximation of the encoded output.
 fn luma(light: vec3<f32>) -> f32 {
     let y = max(dot(light, vec3<f32>(0.299, 0.587, 0.114)), 0.0);
     if EARLY_ENCODE == 1u {
@@ -51,8 +52,8 @@ fn luma(light: vec3<f32>) -> f32 {
     return sqrt(y / (0.35 + y));
 }
 
-// Blends along edges found from four diagonal neighbours (Lottes 2009, FXAA, the
-// console variant).
+// Blends along edges detected from four diagonal neighbours (Lottes 2009, FXAA, the console
+// variant).
 fn smoothed(uv: vec2<f32>) -> vec3<f32> {
     let px = frame.viewport.zw;
     let middle = light_at(uv);
@@ -87,7 +88,7 @@ fn fs_tone_map(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
     if EARLY_ENCODE == 0u {
         c = srgb_encode(develop(c, at.xy));
     }
-    // Half a step of noise hides the bands of the dark backdrop.
+    // Half a quantisation step of noise hides banding in the dark backdrop.
     c += (pixel_noise(at.xy) - 0.5) / 255.0;
     if TARGET_ENCODES == 1u {
         let low = c / 12.92;

@@ -12,7 +12,7 @@ const SECTORS: usize = 72;
 const STEP: f64 = 0.002;
 /// Depth below the head's own skin to which the neck is sampled, metres.
 const BELOW: f64 = 6.0 * CM;
-/// Shoulders and chin go on; farther than this from the axis there is no query, metres.
+/// Maximum distance of a query from the axis, metres; shoulders and chin continue beyond it.
 const MAX_RADIUS_M: f64 = 0.16;
 
 /// Skin of the neck, as distance from its axis by height and direction, for collars. It is

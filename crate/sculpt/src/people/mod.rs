@@ -1,8 +1,8 @@
 //! Named figures: their persons and clothes.
 
 mod amara;
+pub mod hair_donors;
 mod kenji;
-pub mod lenders;
 mod lia;
 mod nuno;
 mod papous;

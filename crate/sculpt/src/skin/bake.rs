@@ -36,7 +36,7 @@ pub(crate) struct SkinMaps {
 }
 
 /// Maximum slope: steeper ones cause artefacts, because of the texel width and the light.
-const STEEPEST: f64 = 0.9;
+const MAX_SLOPE: f64 = 0.9;
 
 /// Quality of the encoder, of 100.
 const COLOUR_QUALITY: u8 = 86;
@@ -221,8 +221,8 @@ fn tilt(layer: &Layer<'_>, t: [u32; 3], change: DVec2) -> [f64; 3] {
     let up = -(down - tangent * down.dot(tangent)).normalize_or_zero();
     let tilted = DVec3::new(-gradient.dot(tangent), -gradient.dot(up), 1.0);
     let steep = tilted.truncate().length();
-    let held = if steep > STEEPEST {
-        STEEPEST / steep
+    let held = if steep > MAX_SLOPE {
+        MAX_SLOPE / steep
     } else {
         1.0
     };

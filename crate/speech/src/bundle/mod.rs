@@ -94,9 +94,9 @@ pub struct Utterance {
     pub syllables: Vec<Syllable>,
     /// Pitch accents, by syllable.
     pub accents: Vec<Accent>,
-    /// Intonational phrases; they part the words.
+    /// Intonational phrases, in order; each word belongs to one.
     pub phrases: Vec<Phrase>,
-    /// Sentences; they part the words.
+    /// Sentences, in order; each word belongs to one.
     pub sentences: Vec<Sentence>,
     /// Emotions in force, by time.
     pub emotions: Vec<Emotion>,

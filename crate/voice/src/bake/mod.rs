@@ -82,7 +82,7 @@ pub struct BakeReport {
     /// Missing files with spoken content; utterances that need them are omitted.
     pub absent: Vec<PathBuf>,
     /// Measurements of their audio.
-    pub sound: SpokenAudio,
+    pub sound: AudioMeasurements,
     /// Remarks about their recordings, each with the spoken text.
     pub remarks: Vec<(String, Remark)>,
     /// Number of removed audio files of earlier bakes that are no longer used.
@@ -118,14 +118,14 @@ impl BakeReport {
 
 /// Measurements of newly synthesised audio: agreement with its labels, and loudness.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SpokenAudio {
+pub struct AudioMeasurements {
     /// Measured audio compared with the labels.
     pub heard: MeasuredSpeech,
     /// Lowest and highest loudness, LUFS; `None` for silence.
     pub lufs: Option<(f64, f64)>,
 }
 
-impl SpokenAudio {
+impl AudioMeasurements {
     fn add(&mut self, heard: &MeasuredSpeech, lufs: Option<f64>) {
         self.heard.add(heard);
         if let Some(lufs) = lufs {

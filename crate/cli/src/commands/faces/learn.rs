@@ -187,7 +187,7 @@ fn with_local(space: &FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
     let all = space.with_local(shapes, &signals)?;
     writeln!(
         terminal::out(),
-        "{} local modes beside {} principal components",
+        "{} local modes and {} principal components",
         all.dimensions() - space.dimensions(),
         space.dimensions()
     )?;

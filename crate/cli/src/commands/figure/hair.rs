@@ -7,7 +7,7 @@ use anyhow::{Context as _, Result};
 use clap::Args;
 use raconteur_body::annotation::Annotations;
 use raconteur_body::write;
-use raconteur_sculpt::people::lenders;
+use raconteur_sculpt::people::hair_donors;
 use raconteur_voice::files::disk::replace;
 
 use crate::{Outcome, parallel, terminal};
@@ -24,7 +24,7 @@ pub(super) struct Hair {
 
 impl Hair {
     pub(super) fn run(&self) -> Result<Outcome> {
-        let all = lenders::HAIR.into_iter().chain(lenders::BEARDS);
+        let all = hair_donors::HAIR.into_iter().chain(hair_donors::BEARDS);
         let all: Vec<&str> = all.collect();
         let names: Vec<&str> = match &self.names[..] {
             [] => all.clone(),
@@ -32,7 +32,7 @@ impl Hair {
         };
         parallel::map(0..names.len() as u64, |i| {
             let name = names[i as usize];
-            let params = lenders::params(name).with_context(|| {
+            let params = hair_donors::params(name).with_context(|| {
                 format!(
                     "there is no hair named {name}; there are {}",
                     all.join(", ")

@@ -117,10 +117,9 @@ impl<H: Host> Server<H> {
         };
         let answer = self.0.ask(&serde_json::to_string(&request)?)?;
         let times = answer.times.as_bytes();
-        let format =
-            detect("", times).context("the server tells times in no format that is known")?;
+        let format = detect("", times).context("the server returns times in an unknown format")?;
         let alignment = read(format, times).context("the phones reported by the server")?;
-        let wave = wave::decode(&answer.sound).context("what the server says")?;
+        let wave = wave::decode(&answer.sound).context("the audio of the server")?;
         aligned::combine(&alignment, wave, &words, &voice.phone_set)
     }
 }

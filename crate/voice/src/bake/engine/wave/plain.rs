@@ -85,7 +85,7 @@ pub(super) fn plain(bytes: &[u8]) -> Result<Vec<u8>> {
     let mut form = Form::parse(form.context("not a WAV: there is no chunk \"fmt \"")?)?;
     let data = data.context("not a WAV: there is no chunk \"data\"")?;
     let mut samples = match data {
-        Data::Told(samples) => samples,
+        Data::Delimited(samples) => samples,
         // The last frame of a stream that was stopped may be a part.
         Data::ToTheEnd(rest) => &rest[..rest.len() - rest.len() % usize::from(form.frame_bytes)],
     };
@@ -113,7 +113,7 @@ pub(super) fn plain(bytes: &[u8]) -> Result<Vec<u8>> {
 
 /// Samples, with or without a known end.
 enum Data<'a> {
-    Told(&'a [u8]),
+    Delimited(&'a [u8]),
     ToTheEnd(&'a [u8]),
 }
 
@@ -139,7 +139,9 @@ fn chunks(bytes: &[u8]) -> Result<(Option<&[u8]>, Option<Data<'_>>)> {
         }
         let own = usize::try_from(length).ok().and_then(|n| rest.get(..n));
         match name {
-            b"data" if data.is_none() => data = Some(Data::Told(own.context("it is cut off")?)),
+            b"data" if data.is_none() => {
+                data = Some(Data::Delimited(own.context("it is cut off")?))
+            }
             b"fmt " if form.is_none() => form = Some(own.context("it is cut off")?),
             b"ds64" => {
                 let halves = u32_at(rest, 8).zip(u32_at(rest, 12));

@@ -15,7 +15,8 @@ pub struct Emoticon {
     pub before: usize,
     /// First word on which the emotion is expressed.
     pub first_word: usize,
-    /// … and ends with this one: the borders of its phrase, or, between two phrases, of both.
+    /// Last word on which the emotion is expressed. First and last word bound the emoticon's phrase,
+    /// or both phrases if it is between two.
     pub last_word: usize,
 }
 

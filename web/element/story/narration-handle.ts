@@ -5,7 +5,7 @@ import type { Show } from './show.js';
 import type { NarrationHandle, Words } from '../base/types.js';
 
 /** Narrates text on a stage that may still be opening; `interrupt` ends the current speech. */
-export function telling(context: PlayerContext, stage: Promise<Show>, words: Words, interrupt: () => void): NarrationHandle {
+export function startNarration(context: PlayerContext, stage: Promise<Show>, words: Words, interrupt: () => void): NarrationHandle {
   const end = new AbortController();
   const tell = async (): Promise<void> => {
     const [{ tellWords }, show] = await Promise.all([import('./narration.js'), stage]);
