@@ -5,7 +5,7 @@ use raconteur_base::ops;
 use crate::Lighting;
 use crate::light::lamp;
 
-/// Set of the stage: the scenery around the figure.
+/// Kind of stage set: the scenery around the figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageSet {
     /// A curtain hung in a wide curve behind a floor of boards.
@@ -22,7 +22,7 @@ pub enum StageSet {
     Studio,
 }
 
-/// Stage set (scenery) with the colours of floor and backdrop, linear RGB.
+/// A stage set as rendered: its kind, and the colours of floor and backdrop, linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Set {
     /// Kind of scenery.
