@@ -105,7 +105,7 @@ function listen(): void {
   });
 }
 
-/** The same numbers in each run, from 0 to 1. */
+/** Returns a generator of numbers from 0 to 1, the same in each run. */
 function random(seed: number): () => number {
   let state = seed;
   return () => (state = (state * 1_103_515_245 + 12_345) % 2 ** 31) / 2 ** 31;

@@ -16,7 +16,7 @@ const editor = (page: Page) => page.locator('raconteur-composite');
 const saved = (page: Page) => editor(page).evaluate((e: RaconteurComposite) => e.save()) as Promise<SavedHistory>;
 const ready = (page: Page) => editor(page).evaluate((e: RaconteurComposite) => e.ready);
 
-/** A page of the editor's origin without the editor. */
+/** Opens a page of the editor's origin without the editor. */
 async function beside(context: BrowserContext): Promise<Page> {
   const page = await context.newPage();
   await page.route('**/nothing', (route) => route.fulfill({ contentType: 'text/html', body: '<title>Nothing</title>' }));

@@ -18,7 +18,7 @@ async function set(page: Page, name: string, to: string): Promise<void> {
   await value.blur();
 }
 
-/** The file that a button saves. */
+/** Clicks a button and returns the file that it saves. */
 async function saved(page: Page, button: string, within = DRAWN_MS): Promise<{ name: string; bytes: Buffer }> {
   const [file] = await Promise.all([page.waitForEvent('download', { timeout: within }), page.getByRole('button', { name: button }).click()]);
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };

@@ -22,7 +22,7 @@ async function at(page: Page, x: number, y: number): Promise<[number, number]> {
 /** Returns the image as a data URL: two are equal if nothing changed. */
 const picture = (page: Page) => page.locator('#player').evaluate((p: RaconteurPlayer) => p.snapshot()?.toDataURL() ?? '');
 
-/** A session with one more act. */
+/** Returns the current session with one more act. */
 async function session(page: Page, act: unknown): Promise<Buffer> {
   const saved = await page.locator('raconteur-composite').evaluate((e) => (e as unknown as { save(): { steps: unknown[] } }).save());
   return Buffer.from(JSON.stringify({ ...saved, steps: [...saved.steps, { parent: 0, act }], here: saved.steps.length }));

@@ -30,7 +30,7 @@ export class Visit {
     private readonly expectDeclared: () => void,
   ) {}
 
-  /** For a spec, by its file. */
+  /** Opens the editor for a spec, named by its file. */
   static async begin(browser: Browser, file: string, width?: number, height?: number): Promise<Visit> {
     const context = await browser.newContext();
     const expectDeclared = watched(context, file);

@@ -32,7 +32,7 @@ test('the ready course is passed with the keyboard alone, and the system has all
   const press = async (...keys: readonly string[]) => {
     for (const key of keys) await page.keyboard.press(key);
   };
-  /** From the first field of each, which has the focus. */
+  /** Functions that answer each question with the keyboard, from its first field, which has the focus. */
   const answers: { readonly [name: string]: () => Promise<void> } = {
     opening: () => press('ArrowDown', 'Enter'),
     pause: async () => {

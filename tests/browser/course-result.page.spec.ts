@@ -29,7 +29,7 @@ async function serve(page: Page, standard: string, language: string): Promise<vo
 
 const question = (page: Page) => page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.question?.name);
 
-/** Tab, so often as it takes to come to something. */
+/** Presses Tab until the element called `name` has the focus, 30 times at most. */
 async function tabTo(page: Page, name: string): Promise<void> {
   for (let i = 0; i < 30; i++) {
     await page.keyboard.press('Tab');

@@ -14,7 +14,7 @@ const ASKING = `<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'><null tim
   <r:ask time='0' name='who' prompt='Who sang?' points='2' tries='2'><r:option name='frog' text='A frog' right='true'/><r:option name='stone' text='A stone'/>
   <r:answer to='right'><null time='0.5'/></r:answer><r:answer to='wrong'><null time='5'/></r:answer></r:ask><null time='1'/></seq></body></eml>`;
 
-/** The schemas of a standard's manifests, as `web/tools/setup.mjs` fetches them. */
+/** Returns the schemas of a standard's manifests, as `web/tools/setup.mjs` fetches them. */
 function schemasOf(standard: keyof typeof SYSTEMS): { readonly [name: string]: string } {
   const folder = join(root, '.setup/schemas/package/lib/schemas/definitionFiles', standard === 'scorm12' ? 'scorm12edition' : 'scorm20044thedition');
   return Object.fromEntries(readdirSync(folder).map((name) => [name, readFileSync(join(folder, name), 'utf8')]));

@@ -27,7 +27,7 @@ const PAIRS = readFileSync(new URL('../../crate/tissue/src/muscles.tsv', import.
   .map((row) => row.split('\t').slice(0, 2));
 const MUSCLES = PAIRS.flatMap(([name = '', sides]) => (sides === 'pair' ? [`${name}Left`, `${name}Right`] : [name]));
 
-/** The controls of the face at `count` times. */
+/** Returns the controls of the face at `count` times. */
 async function curves(page: Page, times: (p: RaconteurPlayer) => readonly [from: number, to: number, count: number]): Promise<FaceCurves> {
   const player = page.locator('raconteur-player');
   const [from, to, count] = await player.evaluate(times);
@@ -42,7 +42,7 @@ const [INNER_BROW, SMILE_LEFT, SMILE_RIGHT] = ['FrontalisMedialLeft', 'Zygomatic
   number,
 ];
 
-/** The value of a muscle or another control now. */
+/** Returns the current value of a muscle or another control. */
 async function control(page: Page, which: number | DirectControl): Promise<number> {
   const { muscles, direct } = await curves(page, (p) => [p.currentTime, p.currentTime, 1]);
   return (typeof which === 'number' ? muscles[which] : direct[which])?.[0] ?? NaN;

@@ -8,7 +8,7 @@ import type { RaconteurPlayer } from '../../web/element/element.js';
 import { story, voiceFiles } from './fixture.js';
 import { expect, test, type Stage } from './stage.js';
 
-/** Its first half is red, its second blue. */
+/** Length of the film, seconds; its first half is red, its second blue. */
 const LENGTH_SECS = 8;
 let film: Buffer;
 
@@ -25,7 +25,7 @@ test.beforeAll(() => {
 const TEXT = 'One two three four';
 const POSTER = `data:image/svg+xml,${encodeURIComponent("<svg xmlns='http://www.w3.org/2000/svg' width='16' height='9'><rect width='16' height='9' fill='lime'/></svg>")}`;
 
-/** A story of eight seconds, with neither WebGL nor WebGPU. */
+/** Opens a story of eight seconds, with neither WebGL nor WebGPU. */
 async function open(stage: Stage, attributes: string, body = `<voice-text time='0'>${TEXT}</voice-text>`): Promise<string[]> {
   const { page } = stage;
   await page.addInitScript(() => {
@@ -72,7 +72,7 @@ async function stands(stage: Stage): Promise<void> {
   expect((await shown(stage))?.paused).toBe(true);
 }
 
-/** The colour of the stage where neither notes nor captions nor controls are. */
+/** Returns the colour of the stage away from notes, captions and controls. */
 async function colour(stage: Stage): Promise<'red' | 'blue' | 'lime' | 'other'> {
   const png = await stage.player.screenshot({ animations: 'disabled' });
   const [r = 0, g = 0, b = 0] = await stage.page.evaluate(

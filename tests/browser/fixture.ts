@@ -4,7 +4,7 @@
 export interface Made {
   readonly text: string;
   readonly msec: number;
-  /** Its sound, at `SAMPLE_RATE`; without it, silence. */
+  /** Audio of the utterance at `SAMPLE_RATE`; silence if absent. */
   readonly samples?: Float32Array;
   /** Source of its key, if it is not plain text. */
   readonly key?: string;
@@ -26,7 +26,7 @@ export function fileKey(path: string, kind: 'text' | 'sable' = 'text'): string {
   return `${kind}\xff\xfc\x01\x01${path}\xff`;
 }
 
-/** The files of a voice, by their names in `voice/`. */
+/** Returns the files of a voice, by their names in `voice/`. */
 export function voiceFiles(utterances: readonly Made[]): { [path: string]: string | Buffer } {
   const files: { [path: string]: string | Buffer } = {};
   const written = utterances.map(({ text, msec, samples, key }, i) => {
@@ -53,7 +53,7 @@ export function voiceFiles(utterances: readonly Made[]): { [path: string]: strin
   return files;
 }
 
-/** One channel of 32-bit floats. */
+/** Returns a WAV file with one channel of 32-bit floats. */
 function wav(samples: Float32Array): Buffer {
   const head = Buffer.alloc(44);
   const bytes = Buffer.from(samples.buffer, samples.byteOffset, samples.byteLength);
@@ -72,5 +72,5 @@ function wav(samples: Float32Array): Buffer {
   return Buffer.concat([head, bytes]);
 }
 
-/** A story whose body is `body`. */
+/** Returns a story whose body is `body`. */
 export const story = (body: string): string => `<eml xmlns:r='urn:raconteur:eml:1'><body>${body}</body></eml>`;

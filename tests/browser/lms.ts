@@ -13,7 +13,7 @@ const program = join(process.env['CARGO_TARGET_DIR'] ?? join(root, 'target'), 'd
 export const TYPES: { [ending: string]: string } = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
 
 export const HELLO = join(root, 'assets/stories/hello-world');
-/** The files of a package. */
+/** Returns the files of a package. */
 export function exported(standard: string, story = HELLO, ...more: readonly string[]): { readonly [path: string]: Uint8Array } {
   const file = join(mkdtempSync(join(tmpdir(), 'raconteur-')), 'course.zip');
   execFileSync(program, ['export', story, `--${standard}`, '--player', join(root, kind.site), '--title', 'Hello & welcome', '--pass', '50', ...more, '--output', file]);

@@ -30,7 +30,7 @@ export class Lrs {
     this.#documents.set('LMS.LaunchData', JSON.stringify(launchData));
   }
 
-  /** The address of a page that is launched with the store. */
+  /** Returns the address of a page that is launched with the store. */
   launch(page: string, isCmi5: boolean): string {
     const asked = { endpoint: `${HOME}xapi/`, actor: ACTOR, registration: REGISTRATION, activityId: 'https://a.example/course' };
     return `${page}?${new URLSearchParams({ ...asked, ...(isCmi5 ? { fetch: `${HOME}token` } : { auth: 'Basic x' }) })}`;

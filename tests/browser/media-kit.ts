@@ -22,13 +22,13 @@ export interface Kit<M = Media> {
   readonly type: string;
   /** A speed out of range. */
   readonly fast: number;
-  /** Another element of the kind, in no document. */
+  /** Creates another element of the kind, outside any document. */
   make(): M;
   /** Gives `media` a source and waits until it can play through. */
   loaded(): Promise<void>;
   /** Returns the outcome of a promise: nothing or the error's name. */
   settle(promise: Promise<unknown> | undefined): Promise<string>;
-  /** The name of the exception. */
+  /** Returns the name of the exception that `work` throws. */
   thrown(work: () => void): string;
   event(type: string): Promise<unknown>;
   /** Returns the names of the events since the last call, without the periodic ones. */

@@ -6,7 +6,7 @@ import { story, voiceFiles } from './fixture.js';
 import { ask, openKit, type Kit, type Question, type Tag } from './media-kit.js';
 import { expect, test, type Stage } from './stage.js';
 
-/** The questions; the answers must be the same. */
+/** Questions to both elements; the answers must be the same. */
 const QUESTIONS: { [name: string]: (kit: Kit) => unknown } = {
   'before there is anything': ({ media }) => [
     media.paused,

@@ -82,7 +82,7 @@ export class Mind {
   }
 }
 
-/** A whole message of a server. */
+/** Encodes a complete server message as one frame. */
 function frame(opcode: number, payload: Buffer): Buffer {
   const head = Buffer.alloc(payload.length > 65_535 ? 10 : payload.length > 125 ? 4 : 2);
   head[0] = 128 | opcode;

@@ -30,7 +30,7 @@ async function open(stage: Stage, mind: Mind): Promise<void> {
   await stage.until(1.5);
 }
 
-/** The voice of hello-world as files of the test's folder. */
+/** Returns the voice of hello-world as files of the test's folder. */
 async function voice(stage: Stage): Promise<{ [path: string]: Buffer }> {
   const folder = '/assets/stories/hello-world/voice/';
   const bundle = await (await stage.page.request.get(`${folder}speech.json`)).body();

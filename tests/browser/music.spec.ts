@@ -28,7 +28,7 @@ function listen(): void {
   };
 }
 
-/** A story of 45 s without a word, with some music. */
+/** Returns a story of 45 s with some music and without words. */
 const story = (music: string): string => `<eml xmlns:r='urn:raconteur:eml:1'><body>${music}<null time='45'/></body></eml>`;
 
 async function open(stage: Stage, page: Page, music: string): Promise<void> {

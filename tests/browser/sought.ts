@@ -41,7 +41,7 @@ function best(piece: Float32Array, sound: Float32Array, from: number, to: number
   return found;
 }
 
-/** Root of the mean square. */
+/** Returns the root mean square of samples. */
 export function loudness(samples: Float32Array): number {
   return Math.sqrt(samples.reduce((sum, x) => sum + x * x, 0) / Math.max(1, samples.length));
 }

@@ -25,7 +25,7 @@ export interface BundleUtterance {
   phones: Span[];
 }
 
-/** The speech bundle of a story of the library. */
+/** Returns the speech bundle of a story of the library. */
 export function bundle(story: string): BundleUtterance[] {
   const path = join(import.meta.dirname, '../../assets/stories', story, 'voice/speech.json');
   const { utterances } = JSON.parse(readFileSync(path, 'utf8')) as { utterances: Written[] };
@@ -60,7 +60,7 @@ function readUtterance({ text, audio, phones, msecs, words }: Written): BundleUt
 /** Data that the page records for the tests. */
 interface Record {
   contexts: AudioContext[];
-  /** Each start of a sound: source time, offset in the sound, its length. */
+  /** Starts of sounds: source time, offset in the sound, and length. */
   starts: { when: number; offset: number; secs: number }[];
   violations: string[];
   devices: { destroy(): void }[];
@@ -151,7 +151,7 @@ export async function moved(player: Locator, act: () => Promise<unknown>): Promi
   await expect.poll(camera, { timeout: 60_000 }).not.toBe(before);
 }
 
-/** The pose that a player shows. */
+/** Returns the pose that a player shows. */
 export async function poseOf(player: Locator): Promise<PoseNow | undefined> {
   const told = await player.evaluate((p: RaconteurPlayer) => {
     const { names, numbers } = p.pose() ?? { names: [], numbers: [] };

@@ -20,7 +20,7 @@ const STILLS = [
 ] as const;
 /** Pixels of a still to one of the page. */
 const DENSITY = 1.44;
-/** As portraits are packed. */
+/** WebP quality, the same as for packed portraits. */
 const WEBP_QUALITY = 0.84;
 /**
  * Maximum mean difference of images, of 255: compression and another size cause 3, a different arm pose 3, another light or shot 13 or more (software

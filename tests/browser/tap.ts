@@ -99,7 +99,7 @@ export async function captured(page: Page): Promise<Captured> {
   return { sampleRate, first, samples };
 }
 
-/** The samples that `coded` wrote. */
+/** Returns the samples that `coded` encoded. */
 export function decoded(text: string): Float32Array {
   const bytes = Buffer.from(text, 'base64');
   return Float32Array.from({ length: bytes.length / 4 }, (_, i) => bytes.readFloatLE(4 * i));

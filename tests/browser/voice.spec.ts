@@ -46,7 +46,7 @@ async function heard(page: Page): Promise<Captured> {
   return await captured(page);
 }
 
-/** The largest step from one sample to the next. */
+/** Returns the largest step from one sample to the next. */
 function steepest(samples: Float32Array): number {
   return samples.reduce((most, x, i) => Math.max(most, Math.abs(x - (samples[i - 1] ?? x)) || 0), 0);
 }

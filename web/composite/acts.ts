@@ -23,9 +23,9 @@ export type Act =
       /** True to move only a feature's own part of the face; for attributes of the whole person, such as sex or age, the others keep their values. */
       readonly alone?: boolean;
     }
-  /** So much more of an attribute on the left half, and less on the right. */
+  /** Asymmetry of an attribute: `amount` more on the left half, and less on the right. */
   | { readonly kind: 'asymmetry'; readonly part: FacePart; readonly name: string; readonly amount: number; readonly region: FaceRegion }
-  /** More or less of the course of a life, in shape and texture. */
+  /** Change along the course of a life, in shape and texture. */
   | { readonly kind: 'age'; readonly amount: number; readonly region: FaceRegion }
   | { readonly kind: 'caricature'; readonly part: FacePart; readonly level: number; readonly region: FaceRegion }
   | { readonly kind: 'import'; readonly index: number; readonly part: FacePart | 'both'; readonly region: FaceRegion }
@@ -161,7 +161,7 @@ function alter(faces: Faces, act: Act): void {
   }
 }
 
-/** A number with its sign, as it is printed. */
+/** Formats a number with its sign, for display. */
 export const signed = (amount: number, digits = 2): string => `${amount < 0 ? '−' : '+'}${Math.abs(amount).toFixed(digits)}`;
 
 /** Returns a description of a region, for use within a sentence. */
@@ -176,7 +176,7 @@ function holding(names: readonly string[]): string {
   return names.length === 0 ? 'holds nothing' : `holds ${names.at(-1)}${others === 0 ? '' : ` and ${others} more`}`;
 }
 
-/** An act in a few words. */
+/** Describes an act in a few words. */
 export function label(act: Act): string {
   switch (act.kind) {
     case 'average':

@@ -34,9 +34,9 @@ interface Page {
   draw(): void;
   /** Reports a failure or a success. */
   say(text: string): void;
-  /** The history has changed. */
+  /** Called when the history has changed. */
   changed(): void;
-  /** The stage shows the face. */
+  /** Called when the stage shows the face. */
   shown(): void;
   /** Reports that the stage should show something else. */
   moved(): void;
@@ -107,7 +107,7 @@ export class App {
     });
   }
 
-  /** The stage shows the face of the present step, and no control moves. */
+  /** True if the stage shows the face of the present step and no control is moving. */
   get resting(): boolean {
     return this.#moving === undefined && !this.#showing.busy;
   }
@@ -183,7 +183,7 @@ export class App {
     return this.#reading.all;
   }
 
-  /** The values before a control that moves began to. */
+  /** Values before the current movement of a control. */
   get settled(): Values {
     return this.#moving?.values ?? this.values;
   }
@@ -363,7 +363,7 @@ export class App {
     this.redraw();
   }
 
-  /** Other segments are chosen. */
+  /** Updates the display after other segments were selected. */
   chosen(): void {
     void this.show();
     this.redraw();

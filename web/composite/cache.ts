@@ -5,7 +5,7 @@ const LATEST = 64;
 const EVERY = 32;
 
 export class Cache {
-  /** In the order of their last use. */
+  /** Faces by step, in the order of their last use. */
   readonly #faces = new Map<number, Uint8Array>();
 
   keep(step: number, face: Uint8Array): void {

@@ -10,7 +10,7 @@ type Fields = Readonly<Record<string, unknown>>;
 
 const isRecord = (x: unknown): x is Record<string, unknown> => typeof x === 'object' && x !== null && !Array.isArray(x);
 
-/** The first fault of some. */
+/** Returns the first fault in a list. */
 const first = (...faults: readonly Fault[]): Fault => faults.find((fault) => fault !== undefined);
 
 function number(name: string, x: unknown, least: number, most: number): Fault {

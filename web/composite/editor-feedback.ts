@@ -8,5 +8,5 @@ export interface EditorFeedback {
   trouble(text: string): void;
 }
 
-/** An error as a sentence. */
+/** Returns the message of an error as a sentence. */
 export const reason = (error: unknown): string => (error instanceof Error ? error.message : String(error));

@@ -50,7 +50,7 @@ export class EditorServices {
     return this.#panels[tab]();
   }
 
-  /** The stage shows a face. */
+  /** Reports to the panels that the stage shows a face. */
   shown(): void {
     this.#thumbnails.shown();
   }

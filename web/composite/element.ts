@@ -128,7 +128,7 @@ export class RaconteurComposite extends LitElement {
     return this.#ready;
   }
 
-  /** The player that shows the face, once the element was in a page. */
+  /** Player that shows the face, once the element has been in a page. */
   get player(): RaconteurPlayer | undefined {
     return this.#player;
   }
@@ -151,7 +151,7 @@ export class RaconteurComposite extends LitElement {
     await this.#app?.shownAsItIs;
   }
 
-  /** The session as data, for `JSON.stringify`; undefined until the editor is ready. */
+  /** Returns the session as data, for `JSON.stringify`; undefined until the editor is ready. */
   save(): SavedHistory | undefined {
     // Returns a copy, because the history continues.
     return structuredClone(this.#app?.save());

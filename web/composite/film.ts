@@ -27,7 +27,7 @@ export function turnsOf(frames: number): number[] {
   return Array.from({ length: frames }, (_, i) => (2 * Math.PI * i) / frames);
 }
 
-/** The film of the face as it is now. */
+/** Records a film of the current face. */
 export async function turntable(studio: Studio, watch: ShotObserver): Promise<{ file: Blob; extension: FilmWriter['extension'] }> {
   const { writer, plan } = await open();
   try {
@@ -44,7 +44,7 @@ export async function turntable(studio: Studio, watch: ShotObserver): Promise<{ 
   return { file: await writer.finish(), extension: writer.extension };
 }
 
-/** The libraries that write films are fetched only now. */
+/** Fetches the libraries that write films, on demand. */
 async function open(): Promise<{ writer: FilmWriter; plan: typeof VIDEO }> {
   if ('VideoEncoder' in globalThis) {
     const { openVideo } = await import('./film-video.js');

@@ -52,7 +52,7 @@ const OF_FORM = 0.9;
 const OF_BEGINNING = 0.6;
 const OF_GROUP = 0.5;
 
-/** The lines of the table. */
+/** Returns the rows of the table. */
 export function tableOf(text: string): Row[] {
   const lines = text.split('\n').filter((line) => line !== '' && !line.startsWith('#'));
   return lines.map((line) => {
@@ -74,7 +74,7 @@ const LIGHT: ReadonlySet<string> = new Set(LINES.find(({ thing }) => thing === L
 /** Searchable items. */
 export const TABLE: readonly Row[] = LINES.filter(({ thing }) => thing !== LIGHT_LINE);
 
-/** The words of a text: small letters without accents. */
+/** Returns the words of a text, in lower case without accents. */
 export function wordsOf(text: string): string[] {
   const plain = text.normalize('NFKD').replace(/\p{M}/gu, '').toLowerCase().replace(/ß/g, 'ss').replace(/['’]/g, '');
   return plain.match(/[\p{L}\p{N}]+/gu) ?? [];

@@ -48,7 +48,7 @@ export class HistoryPanel {
       <ol class="steps-list" aria-label="Steps">${steps.slice(first, first + LISTED).map((step, i) => entry(first + i, step))}</ol>`;
   }
 
-  /** Around the present step, until one turns the pages; a step that is gone to is listed again. */
+  /** Returns the index of the first listed step. The list is centred on the present step until the user turns the pages; going to a step lists it again. */
   #first(): number {
     const { history } = this.app;
     const most = Math.max(0, history.steps.length - LISTED);

@@ -6,7 +6,7 @@ import { faultOf } from './checks.js';
 import { LIMITS } from './limits.js';
 import type { Scene } from './scene.js';
 
-/** One step. */
+/** Step of the history. */
 export interface Step {
   /** Parent step; −1 for the first. */
   readonly parent: number;
@@ -89,7 +89,7 @@ export class History {
     this.#steps[this.#here] = name === '' ? { parent, act } : { parent, act, name };
   }
 
-  /** The steps from the first to one, which is the last. */
+  /** Returns the steps from the first to the given one, inclusive. */
   path(to: number = this.#here): number[] {
     const path: number[] = [];
     for (let at = to; at >= 0; at = this.#step(at).parent) path.push(at);

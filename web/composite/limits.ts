@@ -22,6 +22,6 @@ export const LIMITS = {
   segments: 100,
   /** The first number that is no seed. */
   seed: 2 ** 32,
-  /** No point of a face is farther from its middle, metres. */
+  /** Maximum distance of a point of a face from its middle, metres. */
   reach: 1,
 } as const;

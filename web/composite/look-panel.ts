@@ -26,7 +26,7 @@ const GREYS = [
   { name: 'white', grey: 1 },
 ] as const;
 const ends = { 0: 'none', 1: 'all' } as const;
-/** On a head hair is as much brighter as the lamps make it. */
+/** Factor by which the lamps brighten hair on a head. */
 const LAMPS = 2.2;
 const inLight = ([r, g, b]: NaturalHair['rgb']): NaturalHair['rgb'] => [r * LAMPS, g * LAMPS, b * LAMPS];
 
@@ -66,7 +66,7 @@ export class LookPanel {
     )}</select></label>`;
   }
 
-  /** The natural colours to press, a second one to mix in, and grey. */
+  /** Renders buttons for the natural colours, a second colour to mix in, and grey. */
   #colour(part: Part): TemplateResult {
     const own = colourOf(this.app.look, part);
     const mixture = this.#mixtureOf(part, own);

@@ -10,7 +10,7 @@ const DEGREE = Math.PI / 180;
 /** Minimum share of grey; below it hair counts as not grey. */
 const MIN_GREY = 0.005;
 
-/** A colour by the nearest natural one, and its grey. */
+/** Describes a colour by the nearest natural one and its grey. */
 export function colourWords(colour: HairColour | undefined, natural: readonly NaturalHair[]): string | undefined {
   if (colour === undefined) return undefined;
   const far = (n: NaturalHair): number => Math.hypot(n.colour.eumelanin - colour.eumelanin, n.colour.pheomelanin - colour.pheomelanin);

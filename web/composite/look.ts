@@ -54,7 +54,7 @@ export const WEAR: Readonly<Record<AccessoryKind, { readonly name: string; reado
   'ear-rings': { name: 'Earrings', rgb: [0.75, 0.55, 0.2] },
   'nose-stud': { name: 'Nose stud', rgb: [0.8, 0.8, 0.82] },
 };
-/** Of these a head wears one at a time. */
+/** Groups of accessories; a head wears one of each group at a time. */
 export const GROUPS: readonly (readonly AccessoryKind[])[] = [
   ['round-glasses', 'square-glasses', 'sunglasses'],
   ['knitted-cap', 'hat', 'headscarf'],
@@ -92,7 +92,7 @@ export function toggled(look: FaceLook, kind: AccessoryKind): FaceLook {
   return { ...look, wear: isWorn ? others : [...others, { kind, colour: WEAR[kind].rgb }] };
 }
 
-/** A colour between two, and so grey. */
+/** Returns a colour between two, with the given grey. */
 export function mixed(a: HairColour, b: HairColour, share: number, grey: number): HairColour {
   const between = (x: number, y: number): number => x + (y - x) * share;
   return { eumelanin: between(a.eumelanin, b.eumelanin), pheomelanin: between(a.pheomelanin, b.pheomelanin), grey };

@@ -47,7 +47,7 @@ function told({ placing, marks: all }: App, full: boolean): string {
   return all.length === 0 ? 'Choose a mark, then click on the face.' : 'You can lengthen, turn and remove marks.';
 }
 
-/** The controls of one mark. */
+/** Renders the controls of one mark. */
 function entry(app: App, mark: FaceMark, i: number): TemplateResult {
   const { name } = MARKS[mark.kind];
   const title = `${name} ${i + 1}`;

@@ -11,7 +11,7 @@ import { alsoCalled } from './words.js';
 
 type Attribute = FacePack['attributes'][number];
 
-/** One press of a button for more or less. */
+/** Change per press of a button for more or less. */
 const STEP = 0.1;
 /** Attributes go somewhat farther than people do. */
 const MAX_OFFSET = 1.5;
@@ -53,7 +53,7 @@ function feature(app: App, a: Attribute): TemplateResult {
   </div>`;
 }
 
-/** The left of a feature more, and the right less; the slider's middle is where both halves are as the feature has them. */
+/** Renders the asymmetry control of a feature: more on the left, and less on the right. At the slider's middle, both halves are as the feature has them. */
 function asymmetry(app: App, { part, name }: Attribute, of: string): TemplateResult {
   const { history, sliding } = app;
   const slider = `asymmetry of ${part} ${name}`;

@@ -37,12 +37,12 @@ function isLike({ sex, ageYears, ancestry }: Personal, wanted: Person): boolean 
   return wanted.ancestry === 'mixed' ? Math.max(...ancestry) < MAINLY : shares[wanted.ancestry] >= MAINLY;
 }
 
-/** The numbers of the faces that are like a description. */
+/** Returns the numbers of the faces that match a description. */
 export function chosen(people: FacePack['people'], wanted: Person): number[] {
   return people.flatMap((person, i) => (isLike(person, wanted) ? [i] : []));
 }
 
-/** A face of the database in a few words. */
+/** Describes a face of the database in a few words. */
 export function describe({ sex, ageYears, ancestry }: Personal): string {
   const who = ageYears < 18 ? (sex >= 0.5 ? 'Girl' : 'Boy') : sex >= 0.5 ? 'Woman' : 'Man';
   const names = ['European', 'Asian', 'African'];
@@ -72,7 +72,7 @@ const WORN: Readonly<Record<Group, readonly string[]>> = {
   man: ['crop', 'side', 'swept', 'receding', 'thinning', 'buzz'],
   elder: ['receding', 'balding', 'thinning', 'swept', 'balding', 'bald'],
 };
-/** And where hair is tightly coiled. */
+/** Hairstyles of each group for tightly coiled hair. */
 const COILED: Readonly<Record<Group, readonly string[]>> = {
   girl: ['bun', 'afro', 'braid'],
   woman: ['afro', 'coily', 'bun', 'braid'],

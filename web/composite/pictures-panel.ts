@@ -47,7 +47,7 @@ export class Pictures {
     this.#studio = new Studio(app, place);
   }
 
-  /** The panel. */
+  /** Renders the panel. */
   draw(): TemplateResult {
     const button = (name: string, work: () => void): TemplateResult =>
       html`<button type="button" class="plain" ?disabled=${this.#job !== undefined} @click=${work}>${name}</button>`;

@@ -17,7 +17,7 @@ export function figureOf(a: Uint8ClampedArray, b: Uint8ClampedArray, width: numb
   return around.map((out) => 1 - out);
 }
 
-/** The pixels of a value that hang together with some. */
+/** Returns a mask of the pixels with a value that are connected to given pixels. */
 function reached(values: Uint8Array, width: number, height: number, value: number, from: readonly number[]): Uint8Array {
   const found = new Uint8Array(values.length);
   const stack = from.filter((i) => values[i] === value);

@@ -37,7 +37,7 @@ export function withDensity(png: Uint8Array): Uint8Array<ArrayBuffer> {
   return whole;
 }
 
-/** The checksum of PNG's chunks. */
+/** Returns the checksum of a PNG chunk. */
 function crc(bytes: Uint8Array): number {
   let sum = 0xffffffff;
   for (const byte of bytes) {

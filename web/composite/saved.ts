@@ -12,7 +12,7 @@ export function parse(text: string): unknown {
   }
 }
 
-/** The session at an address, relative to the page. */
+/** Fetches the session at an address, relative to the page. */
 export async function fetchSaved(src: string): Promise<unknown> {
   return parse(await fetchText(new URL(src, document.baseURI), { what: 'The saved session', most: LIMITS.bytes }));
 }

@@ -9,7 +9,7 @@ const whole = (clauses: readonly string[]): string => `${tag('eml', { name: 'com
 
 export const still = whole([tag('null', { time: LENGTH_SECS })]);
 
-/** The same elsewhere than before the curtain. */
+/** Returns the script of a silent face, like `still`, in a set instead of before the curtain. */
 export const stillIn = (set: string): string =>
   `${tag('eml', { name: 'composite', 'xmlns:r': 'urn:raconteur:eml:1' }, [tag('head', {}, [tag('r:environment', { set, music: 'false' })]), tag('body', {}, [tag('null', { time: LENGTH_SECS })])])}\n`;
 

@@ -16,7 +16,7 @@ export interface Head {
   readonly scene?: SavedHistory['scene'];
   /** The name of its face. */
   readonly title?: string | undefined;
-  /** Its face, as a data URL. */
+  /** Image of the session's face, as a data URL. */
   readonly picture?: string | undefined;
 }
 
@@ -56,7 +56,7 @@ export class SessionStore {
     });
   }
 
-  /** All sessions, the latest first. */
+  /** Returns all sessions, latest first. */
   async list(): Promise<Listed[]> {
     await this.#renew();
     const [keys, heads] = await this.#all<Head>(below(['head', this.name]));
@@ -82,12 +82,12 @@ export class SessionStore {
     });
   }
 
-  /** The journal of a session. */
+  /** Returns the journal of a session. */
   journal(id: string): Journal {
     return new Journal(JOURNAL + JSON.stringify([this.name, id]));
   }
 
-  /** The sessions of this name that have a journal. */
+  /** Returns the ids of the sessions of this name that have a journal. */
   journals(): string[] {
     return keysOfStorage().flatMap((key) => {
       const [name, id] = key.startsWith(JOURNAL) ? (JSON.parse(key.slice(JOURNAL.length)) as [string, string]) : [];

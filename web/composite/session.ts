@@ -29,7 +29,7 @@ export interface OpenedSession {
 
 export class Session {
   readonly #shelf: SessionStore;
-  /** Under this the tab remembers its session. */
+  /** Key under which the tab stores its session. */
   readonly #tabKey: string;
   #id = crypto.randomUUID() as string;
   /** Aborts when this editor releases its session. */

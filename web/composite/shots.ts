@@ -25,7 +25,7 @@ export interface Side {
   readonly tilt?: number;
 }
 
-/** In pixels. */
+/** Size of an image, pixels. */
 export interface Size {
   readonly width: number;
   readonly height: number;
@@ -34,7 +34,7 @@ export interface Size {
 /** Options for rendering images. */
 export interface Framing {
   readonly frame: keyof typeof FRAMES;
-  /** Before a plain wall, in even light. */
+  /** True for a plain wall as background and even light. */
   readonly plain: boolean;
 }
 

@@ -20,7 +20,7 @@ const SHAVED = 0.05;
 const clamp = (x: number): number => Math.min(1, Math.max(0, x));
 const mix = (a: Rgb, b: Rgb, share: number): Rgb => [0, 1, 2].map((i) => (a[i] ?? 0) + ((b[i] ?? 0) - (a[i] ?? 0)) * share) as unknown as Rgb;
 
-/** From this value of ageing on the sun has left spots; all of them where it is so much more. */
+/** Value of ageing from which sun spots appear, and the further increase at which all of them are present. */
 const SPOTTED = [0.1, 1.1] as const;
 /** Maximum number of moles; some people have none, some half a dozen. */
 const MAX_MOLES = 6;

@@ -9,7 +9,7 @@ import { LIGHTS } from './scene.js';
 import { REST_SECS, saying, still } from './script.js';
 import { reason, type EditorFeedback } from './editor-feedback.js';
 
-/** As long as a sentence is. */
+/** Maximum length of the text, characters: about one sentence. */
 const MAX_LETTERS = 300;
 
 /** Makes the face look ahead without motion. */
@@ -20,7 +20,7 @@ export async function rest(player: RaconteurPlayer): Promise<void> {
   player.currentTime = REST_SECS;
 }
 
-/** One press turns the lamps by so much, radians. */
+/** Turn of the lamps per press, radians. */
 const LIGHT_TURN = Math.PI / 6;
 
 /** Returns the controls for the viewing side, the eye height of the person who saw the face, and the direction of the light. */

@@ -1,4 +1,4 @@
-/** All that the editor shows, as one template of its state. */
+/** Template of the whole editor, from its state. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Tab } from './app.js';

@@ -6,7 +6,7 @@ import { cropped } from './shots.js';
 
 /** Maximum number of stored thumbnails; each takes about two thousand bytes. */
 export const MAX_THUMBNAILS = 300;
-/** In pixels. */
+/** Size of a thumbnail, pixels. */
 const SIZE = { width: 72, height: 90 };
 /** Time without changes after which the face counts as resting, milliseconds. */
 const REST_MS = 500;

@@ -15,7 +15,7 @@ export class AttributeReading {
 
   constructor(private readonly faces: Faces) {}
 
-  /** The face has changed in these parts. */
+  /** Discards the stored values of the changed parts of the face. */
   changed(parts: readonly FacePart[]): void {
     for (const part of parts) this.#read.delete(part);
   }

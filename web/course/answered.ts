@@ -13,7 +13,7 @@ const LIMITS: Limits = { items: Infinity, gaps: Infinity, gapLength: 250, textLe
 /** Maximum length of the texts of questions and options. */
 const MAX_TEXT = 1000;
 
-/** A question's address below that of its course, whose query and fragment stay at the end. */
+/** Returns a question's address below that of its course, whose query and fragment stay at the end. */
 export function questionId(activityId: string, name: string): string {
   const end = activityId.search(/[?#]/);
   const path = end < 0 ? activityId : activityId.slice(0, end);
@@ -21,7 +21,7 @@ export function questionId(activityId: string, name: string): string {
   return `${path.replace(/\/$/, '')}/questions/${encoded}${end < 0 ? '' : activityId.slice(end)}`;
 }
 
-/** The options of a question as the components of its type. */
+/** Returns the options of a question as the components of its type. */
 function componentsOf({ kind, options }: Question, language: string): object {
   const component = (place: number, text: string | undefined) => {
     const id = identifierOf(options[place]?.name ?? '', place);
@@ -54,7 +54,7 @@ function definitionOf(question: Question, language: string): object {
   };
 }
 
-/** A statement about an answer. */
+/** Returns a statement about an answer. */
 export function answeredOf(session: Session, reply: Reply): Statement {
   const { question, answered } = reply;
   const response = responseOf(reply, LIMITS);

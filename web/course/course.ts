@@ -177,7 +177,7 @@ export class Course {
     return Array.from({ length: played.length }, (_, i): Span => [played.start(i), played.end(i)]);
   }
 
-  /** The attempt as it is now. */
+  /** Current state of the attempt, for storage. */
   #remembered(): Memory {
     const { ended, currentTime } = this.#player;
     const { placeSecs: _, answered, ...more } = this.#player.state();

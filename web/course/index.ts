@@ -8,7 +8,7 @@ import { Scorm, SCORM_12, SCORM_2004 } from './scorm.js';
 import { BrowserRecord } from './storage.js';
 import { XapiRecord, type Course as About } from './xapi.js';
 
-/** By the page's `data-record`. */
+/** Record constructors, by the page's `data-record`. */
 const RECORDS: { readonly [name: string]: (about: About) => Record } = {
   scorm12: ({ activityId }) => new Scorm(SCORM_12, activityId, storage()),
   scorm2004: ({ activityId }) => new Scorm(SCORM_2004, activityId, storage()),

@@ -46,7 +46,7 @@ function characters(question: Question, given: readonly string[]): string {
   return parts.join(',');
 }
 
-/** The same by names, where the characters do not suffice. */
+/** Returns the given answers by name, for questions for which single characters are insufficient. */
 function names(question: Question, given: readonly string[]): string {
   const identifier = (place: number) => identifierOf(question.options[place]?.name ?? '', place);
   const parts =
@@ -94,7 +94,7 @@ function resultOf({ isRight, points }: Answered, wrong: 'wrong' | 'incorrect'): 
   return points > 0 ? (decimal(points) ?? wrong) : wrong;
 }
 
-/** The `n`th interaction of SCORM 1.2. */
+/** Returns the `n`th interaction of SCORM 1.2. */
 export function interaction12(n: number, reply: Reply): Elements {
   const at = `cmi.interactions.${n}`;
   const { question, answered } = reply;
@@ -132,7 +132,7 @@ function patterns2004(question: Question): string[] {
   return question.kind === 'number' && patterns.length > 1 ? [] : patterns;
 }
 
-/** The `n`th interaction of SCORM 2004. */
+/** Returns the `n`th interaction of SCORM 2004. */
 export function interaction2004(n: number, reply: Reply): Elements {
   const at = `cmi.interactions.${n}`;
   const { question, answered } = reply;

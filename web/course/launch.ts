@@ -90,7 +90,7 @@ function tokenOf(address: string, { trouble, isClosed }: Waiting): Promise<strin
 
 const isShare = (value: unknown): value is number => typeof value === 'number' && value >= 0 && value <= 1;
 
-/** An address to which a page may go. */
+/** Returns an address to which a page may go. */
 function addressIn(value: unknown): string | undefined {
   if (typeof value !== 'string' || !URL.canParse(value)) return undefined;
   return ['https:', 'http:'].includes(new URL(value).protocol) ? value : undefined;
@@ -119,7 +119,7 @@ export async function launchOf(link: Link, waiting: Waiting): Promise<Launch | u
   };
 }
 
-/** The learner's preferences (11.2): a story has one language, but it can be silent. */
+/** Returns true if the learner's preferences (11.2) turn audio off: a story has one language, but it can be silent. */
 async function wantsSilence(store: RecordStore, owner: Owner, { isClosed }: Waiting): Promise<boolean> {
   // Preferences are optional: the page does not wait if the system has none.
   const { text } = isClosed() ? { text: '' } : await store.profile(owner, 'cmi5LearnerPreferences');

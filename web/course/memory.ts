@@ -9,7 +9,7 @@ const MAX_SPANS = 200;
 const MAX_ANSWERS = 10_000;
 const MAX_TEXT = 1_000_000;
 const VERSION = 2;
-/** Of memories without attempts and sessions, which are still read. */
+/** Version of memories without attempts and sessions, which are still read. */
 const FIRST_VERSION = 1;
 /** Times are written so finely. */
 const STEPS_A_SEC = 100;
@@ -36,7 +36,7 @@ export interface Memory {
   readonly more: object;
   /** Number of the attempt at the course, from 1. */
   readonly attempt: number;
-  /** In which session it was written: later ones count on from those that they know. */
+  /** Number of the session in which it was written; later sessions continue the count. */
   readonly session: number;
   /** The points of the best attempt before this one. */
   readonly best?: Score | undefined;
@@ -83,7 +83,7 @@ function packed(text: string): string {
   return PACKED + btoa(strFromU8(bytes, true));
 }
 
-/** The shorter of a text and itself compressed. */
+/** Returns the shorter of a text and its compressed form. */
 function shortest(memory: Memory, most: number): string {
   const text = written(memory);
   return text.length <= most ? text : packed(text);
@@ -92,7 +92,7 @@ function shortest(memory: Memory, most: number): string {
 /** Removes the text of an answer, keeping its points. */
 const worth = ({ given: _, ...answer }: Remembered): Remembered => answer;
 
-/** The longest answers, as many as have to be, without their texts. */
+/** Returns a memory without the texts of its longest answers; `count` is their number. */
 function withoutTexts(memory: Memory, count: number): Memory {
   const lengths = memory.answered.map(({ given }) => JSON.stringify(given ?? []).length);
   const order = lengths.map((_, i) => i).sort((a, b) => (lengths[b] ?? 0) - (lengths[a] ?? 0));

@@ -161,7 +161,7 @@ export class Outbox {
   }
 }
 
-/** The first of some statements, as many as go into one request; one at least. */
+/** Returns the first of some statements, as many as fit into one request; at least one. */
 function together(statements: readonly Statement[], mostBytes: number): readonly Statement[] {
   let bytes = 2;
   const end = statements.slice(0, MAX_TOGETHER).findIndex((statement) => (bytes += bytesOf(JSON.stringify(statement)) + 1) > mostBytes);

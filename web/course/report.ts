@@ -45,7 +45,7 @@ export interface Reply {
 
 /** Data of the learner in the system at the start of the course. */
 export interface KnownLearner {
-  /** That of the last report. */
+  /** Memory of the last report. */
   readonly memory: Memory;
   readonly isComplete: boolean;
   /** Share of the points that the system requires, 0 to 1, overriding the author's. */

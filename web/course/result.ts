@@ -13,7 +13,7 @@ export interface Attempt {
   readonly questions: readonly Question[];
   readonly answered: readonly Answered[];
   readonly score: Score;
-  /** Of the best attempt. */
+  /** Score of the best attempt. */
   readonly best: Score;
   /** Undefined where there is no rule. */
   readonly isPassed: boolean | undefined;

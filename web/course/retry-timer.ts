@@ -22,7 +22,7 @@ export class RetryTimer {
     this.#waitMs = Math.min(MAX_WAIT_MS, 2 * this.#waitMs);
   }
 
-  /** It has worked. */
+  /** Resets the wait after a success. */
   reset(): void {
     clearTimeout(this.#timer);
     this.#waitMs = FIRST_WAIT_MS;

@@ -11,7 +11,7 @@ import { LocalCopy, Slot, type Shelf } from './shelf.js';
 import { decimal } from './texts.js';
 import { StorageProblems } from './storage-problems.js';
 
-/** The object of the system: texts in, texts out. */
+/** API object of the system: its methods take and return texts. */
 type Api = { readonly [method: string]: (...given: string[]) => string };
 
 /** Vocabulary of a SCORM version. */
@@ -33,11 +33,11 @@ interface Version {
     readonly status: string;
     readonly exit: string;
     readonly spent: string;
-    /** Only the newer one has a share, and a success apart from completion. */
+    /** Element for the progress; only the newer version has progress, and a success separate from completion. */
     readonly progress?: string;
     readonly success?: string;
     readonly scaled?: string;
-    /** Of the score: with `raw`, `min` and `max` after it. */
+    /** Prefix of the score elements: `raw`, `min` and `max` follow it. */
     readonly score: string;
   };
   spent(ms: number): string;
@@ -110,7 +110,7 @@ const BESIDE = /correct_responses|description|weighting|latency|time(stamp)?$/;
 /** Maximum number of windows searched: systems nest the course in frames. */
 const MAX_PARENTS = 20;
 
-/** The object of a window, of those around it, and of the one that has opened it. */
+/** Finds the API object in a window, in those around it, or in the one that opened it. */
 function find(object: string, from: Window): Api | undefined {
   let at = from;
   for (let i = 0; i < MAX_PARENTS; i++) {

@@ -46,7 +46,7 @@ export interface Session {
 /** State of the learner when a statement is made. */
 export interface LearnerPosition {
   readonly placeSecs: number;
-  /** Before a seek. */
+  /** Position before a seek, seconds. */
   readonly fromSecs?: number | undefined;
   readonly durationSecs: number;
   readonly progress: number;
@@ -59,7 +59,7 @@ export interface LearnerPosition {
 }
 
 const rounded = (secs: number): number => Math.round(secs * 1000) / 1000;
-/** ISO 8601, hundredths of a second. */
+/** Formats a duration in ISO 8601, to hundredths of a second. */
 export const durationOf = (ms: number): string => `PT${Math.round(ms / 10) / 100}S`;
 /** Formats played spans in the notation of the profile. */
 const segments = (seen: readonly Span[]): string => seen.map(([from, to]) => `${rounded(from)}[.]${rounded(to)}`).join('[,]');
@@ -138,7 +138,7 @@ export function launchedAs(statement: Statement, template: object): Statement {
   return { ...statement, context: { ...context, ...others, contextActivities, extensions: { ...extensions, ...more } } };
 }
 
-/** A statement that an earlier session could not send, as one of this session. */
+/** Returns a statement that an earlier session could not send, as one of this session. */
 export function movedTo(statement: Statement, { sessionId }: Session): Statement {
   const { extensions, ...context } = (statement['context'] ?? {}) as Grouped;
   return { ...statement, context: { ...context, extensions: { ...extensions, [SESSION]: sessionId } } };
@@ -147,7 +147,7 @@ export function movedTo(statement: Statement, { sessionId }: Session): Statement
 /** Returns true if a statement has one of these verbs. */
 export const hasVerb = ({ verb }: Statement, ...verbs: readonly Verb[]): boolean => verbs.some((it) => VERBS[it] === (verb as { id?: unknown } | undefined)?.id);
 
-/** The course as an activity. */
+/** Returns the course as an activity. */
 export const courseOf = ({ activityId, language, title }: Session): object => ({
   objectType: 'Activity',
   id: activityId,
@@ -162,7 +162,7 @@ function categoriesOf(verb: Verb, isCmi5: boolean): string[] {
   return [...(isJudged || verb === 'scored' ? [] : [VIDEO]), ...(isCmi5 ? own.map((name) => `${CMI5}categories/${name}`) : [])];
 }
 
-/** A statement that is made now about the course. */
+/** Returns a new statement about the course, with the current time. */
 export function statementOf(verb: Verb, session: Session, moment: LearnerPosition): Statement {
   const result = resultOf(verb, session, moment);
   const { isCmi5, masteryScore, threshold } = session;

@@ -17,7 +17,7 @@ export interface Access {
 /** Owner of a stored state. */
 export interface Owner {
   readonly activityId: string;
-  /** As the launch gave it. */
+  /** Agent, exactly as the launch gave it. */
   readonly agent: string;
   readonly registration: string | undefined;
 }

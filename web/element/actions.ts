@@ -6,7 +6,7 @@ import type { RaconteurPlayer } from './element.js';
 import { wordsFor, type PlayerContext } from './story/context.js';
 import { hasCaptions } from './story/show.js';
 
-/** The actions of a player. */
+/** Returns the actions of a player. */
 export function actionsOf(player: RaconteurPlayer, context: PlayerContext): KeyActions & BarActions {
   const { say } = context;
   const isFullscreen = () => document.fullscreenElement === player;

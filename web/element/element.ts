@@ -324,7 +324,7 @@ export class RaconteurPlayer extends PlayerAttributes {
     return this.#stories.rehearse(eml, motion, roomy);
   }
 
-  /** The titled parts of the story, by time; they are also chapters among its text tracks. */
+  /** Titled parts of the story, by time; they are also chapters among its text tracks. */
   get chapters(): readonly Part[] {
     return this.#questioner.lesson.parts;
   }
@@ -458,7 +458,7 @@ export class RaconteurPlayer extends PlayerAttributes {
     if (this.paused) this.#frames.advance();
   }
 
-  /** Has shots keep hands and feet above captions. */
+  /** Makes shots keep hands and feet above captions. */
   #makeRoom(): void {
     const isNew = this.#context.show?.picture.setCaptions(this.#captionRoom.share);
     if (isNew && this.paused) this.#frames.advance();

@@ -49,7 +49,7 @@ export abstract class MediaElement extends PromptElement {
 
   protected abstract get parts(): Parts;
 
-  /** A page switches the story's captions by their track. */
+  /** Shows or hides the captions when a page switches their track. */
   protected abstract showCaptions(shown: boolean): void;
 
   // --- playback ---
@@ -97,7 +97,7 @@ export abstract class MediaElement extends PromptElement {
     return canPlay(String(type));
   }
 
-  /** The reason why the story cannot be played, or null. */
+  /** Reason why the story cannot be played, or null. */
   get error(): PlayerError | null {
     return this.parts.stories.error ?? null;
   }
@@ -307,7 +307,7 @@ export abstract class MediaElement extends PromptElement {
     if (before !== this.#muted) dispatch(this, 'volumechange');
   }
 
-  /** The attribute `muted`: whether the player is initially silent. */
+  /** True if the player is initially silent: the attribute `muted`. */
   get defaultMuted(): boolean {
     return this.hasAttribute('muted');
   }
@@ -411,7 +411,7 @@ export abstract class MediaElement extends PromptElement {
 
   // --- for the parts ---
 
-  /** The story is on stage: where it begins, and its captions as a track. */
+  /** Prepares a story that is on stage: its start time, and its captions as a track. */
   protected begin(language: string, shown: boolean): void {
     const { show } = this.parts.context;
     this.#tracks.setStory(language, shown);
@@ -421,7 +421,7 @@ export abstract class MediaElement extends PromptElement {
     this.#startSecs = 0;
   }
 
-  /** The story is gone. */
+  /** Resets the tracks after the story was unloaded. */
   protected end(): void {
     this.#tracks.rest();
     this.#tracks.setStory(undefined, false);
@@ -434,7 +434,7 @@ export abstract class MediaElement extends PromptElement {
     this.#tracks.setShown(shown);
   }
 
-  /** A picture of a moment was drawn, or there is another canvas, voice or size. */
+  /** Follows a frame rendered at the time `drawnSecs`, or another canvas, voice or size. */
   protected follow(drawnSecs?: number): void {
     const { context, stories } = this.parts;
     const { show } = context;
@@ -449,7 +449,7 @@ export abstract class MediaElement extends PromptElement {
     return document.pictureInPictureElement === this || this.#outputs.capture.isTaken;
   }
 
-  /** Playing goes on, or has come to its end. */
+  /** Reports to captured streams that playing continues or has ended. */
   protected capture(goesOn: boolean): void {
     this.#outputs.capture.setLive(goesOn);
   }
@@ -477,7 +477,7 @@ export abstract class MediaElement extends PromptElement {
     }
   }
 
-  /** A source is looked for, until the running script is over (HTML, the resource selection algorithm, steps 1 and 4). */
+  /** Starts looking for a source, until the running script ends (HTML, the resource selection algorithm, steps 1 and 4). */
   #look(): void {
     this.#looks = true;
     queueMicrotask(() => (this.#looks = false));

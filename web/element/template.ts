@@ -1,4 +1,4 @@
-/** All that the element shows, as one template of its state. */
+/** Template of the whole element, from its state. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';

@@ -60,12 +60,12 @@ export function numberField(field: OwnedField): TemplateResult {
   </div>`;
 }
 
-/** On or off. */
+/** Renders a check box. */
 export function check(label: string, on: boolean, set: (on: boolean) => void, note?: string): TemplateResult {
   return html`<label class="check"><input type="checkbox" .checked=${live(on)} @change=${(event: Event) => set((event.target as HTMLInputElement).checked)} /><span>${label}${note === undefined ? nothing : html`<small>${note}</small>`}</span></label>`;
 }
 
-/** One of a few words, side by side. */
+/** Renders a choice of a few words, side by side. */
 export function choice<T extends string>(name: string, label: string, value: T | undefined, options: Readonly<Record<T, string>>, choose: (value: T) => void): TemplateResult {
   return html`<fieldset class="choice">
     <legend>${label}</legend>
@@ -86,7 +86,7 @@ const WAYS: Readonly<Record<string, [right: number, up: number, ahead: number]>>
   PageDown: [0, 0, -1],
 };
 
-/** Arrow keys as steps to the right, upwards, and (page up and down) ahead: 1, or 5 with the shift key. */
+/** Converts arrow keys to steps to the right, upwards, and (Page Up and Page Down) ahead: 1, or 5 with the Shift key. */
 export function keySteps(event: KeyboardEvent): [right: number, up: number, ahead: number] | undefined {
   const way = event.ctrlKey || event.metaKey || event.altKey ? undefined : WAYS[event.key];
   const step = event.shiftKey ? 5 : 1;

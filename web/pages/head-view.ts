@@ -9,7 +9,7 @@ import { leastTilt, TURN_PER_PIXEL, zoomByKey, zoomByWheel } from './pad.js';
 
 /** Named views of the head: rotations about it, radians. */
 export const SIDES = { 'Three-quarter': 0.6, Front: 0, Left: Math.PI / 2, Right: -Math.PI / 2 } as const;
-/** From the skull's joint to the middle of the head, metres: left, up, front. */
+/** Offset from the skull's joint to the middle of the head, metres: left, up, front. */
 const MIDDLE_M = [0, 0.025, 0.03] as const;
 
 /** View of the head: azimuth and elevation, radians, and zoom. */
@@ -60,7 +60,7 @@ export class HeadView {
     this.#aim();
   }
 
-  /** The same for another player of this figure. */
+  /** Current view, for another player of this figure. */
   get view(): View {
     return this.#view;
   }

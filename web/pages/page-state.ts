@@ -33,7 +33,7 @@ export abstract class PageState<S extends object> {
   /** Draws the page. */
   protected abstract draw(): void;
 
-  /** The text was read, or could not be. */
+  /** Called after the text was read, or could not be read. */
   protected read(): void {}
 
   /** True if a still picture shows the final result of the settings. */

@@ -8,7 +8,7 @@ import { parser } from '@lezer/xml';
 /** Attribute with its source range: `from` to `to` with its quotes, the value between `valueFrom` and `valueTo`. */
 export interface Attribute {
   readonly name: string;
-  /** With the five references of XML resolved. */
+  /** Value, with the five predefined entity references of XML resolved. */
   readonly value: string;
   readonly from: number;
   readonly to: number;
@@ -23,9 +23,9 @@ export interface Element {
   readonly children: readonly Element[];
   readonly parent: Element | undefined;
   readonly from: number;
-  /** After its end tag. */
+  /** End of the range, after the end tag. */
   readonly to: number;
-  /** After its start tag. */
+  /** End of the start tag. */
   readonly openTo: number;
   /** Position before its end tag; equal to `to` if there is none. */
   readonly closeFrom: number;
@@ -40,7 +40,7 @@ const REFERENCES: Record<string, string> = { amp: '&', lt: '<', gt: '>', quot: '
 /** Maximum nesting depth of the tree; deeper elements, which have no meaning, become siblings, so that tree traversal cannot overflow the stack. */
 const MAX_DEPTH = 200;
 
-/** The elements at the top of a text, as the grammar of the editor finds them in any text. */
+/** Returns the top-level elements of a text, as the editor's grammar finds them in any text. */
 export function read(text: string): readonly Element[] {
   const top: GrowingTree[] = [];
   const path: GrowingTree[] = [];
@@ -85,7 +85,7 @@ function resolve(raw: string): string {
   return raw.includes('&') ? raw.replace(/&(amp|lt|gt|quot|apos);/g, (whole, name: string) => REFERENCES[name] ?? whole) : raw;
 }
 
-/** All elements below, in the order of the text. */
+/** Yields all descendants, in the order of the text. */
 export function* within(elements: readonly Element[]): Generator<Element> {
   for (const element of elements) {
     yield element;
@@ -93,7 +93,7 @@ export function* within(elements: readonly Element[]): Generator<Element> {
   }
 }
 
-/** The value of an attribute. */
+/** Returns the value of an attribute. */
 export function attribute(element: Element, name: string): string | undefined {
   return element.attributes.find((a) => a.name === name)?.value;
 }
@@ -161,7 +161,7 @@ export function insertInto(text: string, parent: Element, markup: string, before
   return { from: last, to: last, insert: `\n${indent}${lines}${alone ? '' : `\n${own}`}` };
 }
 
-/** The smallest single change that makes one text of another; undefined when they are equal. */
+/** Returns the smallest single change that turns one text into another; undefined if they are equal. */
 export function difference(before: string, after: string): Change | undefined {
   if (before === after) return undefined;
   let from = 0;

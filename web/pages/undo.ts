@@ -22,7 +22,7 @@ export class UndoStack<S> {
     return this.#future.length > 0;
   }
 
-  /** The state is as it was in the beginning. */
+  /** True if the state is the initial one. */
   get isInitial(): boolean {
     return this.#settled === this.#initial;
   }
@@ -43,7 +43,7 @@ export class UndoStack<S> {
     return this.#step(this.#past, this.#future);
   }
 
-  /** The state that was undone last. */
+  /** Returns the state that was undone last. */
   redo(): S | undefined {
     return this.#step(this.#future, this.#past);
   }

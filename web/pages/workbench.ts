@@ -2,14 +2,14 @@
 
 import type { RaconteurPlayer } from '../element/element.js';
 
-/** The player of the page. */
+/** Returns the player of the page. */
 export function findPlayer(): RaconteurPlayer {
   const found = document.querySelector('raconteur-player');
   if (found === null) throw new Error('the page has no player');
   return found;
 }
 
-/** An element of the page; throws where the page lacks it. */
+/** Returns an element of the page; throws if the page lacks it. */
 export function byId(id: string): HTMLElement {
   const element = document.getElementById(id);
   if (element === null) throw new Error(`the page has no #${id}`);

@@ -10,7 +10,7 @@ export function addSpeechSource(source: SpeechSource): void {
   if (!added.includes(source)) added.unshift(source);
 }
 
-/** The added sources, the last first. */
+/** Returns the added sources, last first. */
 export const addedSources = (): readonly SpeechSource[] => added;
 
 /** Creates a speech source from a speech server. */

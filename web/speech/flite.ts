@@ -10,7 +10,7 @@ import { WorkerSource } from './worker-source.js';
 const VOICES: Record<string, string> = { papous: 'rms', kenji: 'kal16', nuno: 'awb' };
 const USUAL = 'slt';
 
-/** One for all players of the page. */
+/** Speech source that uses flite, shared by all players of the page. */
 export const flite: SpeechSource = new WorkerSource({
   name: 'flite',
   about: 'A small American voice that sounds like a machine.',

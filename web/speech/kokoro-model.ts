@@ -11,16 +11,16 @@ import { trustOwnScripts } from './trusted.js';
 export const RATE = 24_000;
 /** Numbers of a style. */
 const STYLE = 256;
-/** No voice has more; those of Kokoro have half a megabyte. */
+/** Maximum size of the styles of a voice, bytes; those of Kokoro have half a megabyte. */
 const MAX_STYLES_BYTES = 16e6;
 /** The output that `npm run voice` adds to the model. */
 const FRAMES = '/encoder/Clip_output_0';
-/** More threads than this help little. */
+/** Number of threads; more than this help little. */
 const THREADS = 2;
 
 /** Synthesised speech. */
 export interface ModelOutput {
-  /** At `RATE`. */
+  /** Samples at `RATE`. */
   readonly samples: Float32Array;
   /** Duration of each token, with the padding before and after; their sum is the length of the audio. */
   readonly frames: Float32Array;

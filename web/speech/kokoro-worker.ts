@@ -6,7 +6,7 @@ import { type Model, openModel, type ModelOutput, styleFor } from './kokoro-mode
 import { DeferredAnswers } from './deferred-answers.js';
 import { type Host, serve } from './serve.js';
 
-/** No table of a voice is larger; the dictionaries have some megabytes. */
+/** Maximum size of a table of a voice, bytes; the dictionaries have some megabytes. */
 const MAX_TABLE_BYTES = 64e6;
 
 /** Letters of a word, with variants for some words by part of speech, and at the end of a phrase (`None`). */
@@ -53,7 +53,7 @@ class Kokoro implements Host {
     return this.#voices;
   }
 
-  /** The letters of a word, and those at the end of a phrase; empty where no dictionary has it. */
+  /** Returns the letters of a word, and those at the end of a phrase; empty if no dictionary has it. */
   word(word: string): readonly string[] {
     for (const words of this.#words) {
       const entry = Object.hasOwn(words, word) ? words[word] : undefined;
@@ -63,7 +63,7 @@ class Kokoro implements Host {
     return [];
   }
 
-  /** The phones of a word as flite reads it; undefined until flite is there. */
+  /** Returns the phones of a word as flite reads it; undefined until flite is available. */
   guess(word: string): string | undefined {
     const flite = this.#flite.ask('', () => Flite.open());
     return flite?.run(['-voice', 'slt', '-t', word, '-ps', '-o', 'none'], [], undefined).printed.replace(/\bpau\b/g, ' ');

@@ -7,7 +7,7 @@ import workerUrl from './kokoro-worker.ts?worker&url';
 import { openWorker } from './trusted.js';
 import { WorkerSource } from './worker-source.js';
 
-/** Of the library's figures. */
+/** Voices of the library's figures, by figure. */
 const VOICES: Record<string, string> = { sofia: 'af_heart', amara: 'af_bella', lia: 'bf_isabella', papous: 'am_michael', kenji: 'am_liam', nuno: 'am_fenrir' };
 const USUAL = 'af_heart';
 const MAX_LIST_BYTES = 1e6;

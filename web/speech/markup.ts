@@ -16,7 +16,7 @@ export function tag(name: string, attributes: Readonly<Record<string, string | n
   return `${head}>${children.map((child) => `\n${child.replace(/^/gm, '  ')}`).join('')}\n</${name}>`;
 }
 
-/** A whole script; `extended` when it uses the extensions, whose prefix is `r`. */
+/** Returns a complete script; `extended` if it uses the extensions, whose prefix is `r`. */
 export function script(name: string, extended: boolean, clauses: readonly string[], head: readonly string[] = []): string {
   const parts = [...(head.length > 0 ? [tag('head', {}, head)] : []), tag('body', {}, clauses)];
   return `${tag('eml', { 'xmlns:r': extended ? 'urn:raconteur:eml:1' : undefined, name }, parts)}\n`;

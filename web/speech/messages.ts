@@ -12,7 +12,7 @@ export interface Part {
   readonly problems: readonly string[];
 }
 
-/** From the worker. */
+/** Message from the worker. */
 export type Reply =
   | { readonly kind: 'progress'; readonly share: number }
   | ({ readonly kind: 'part'; readonly id: number } & Part)

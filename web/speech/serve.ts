@@ -38,7 +38,7 @@ const post = (reply: Reply, transfer: Transferable[] = []) => self.postMessage(r
 /** Reports the download progress to the page. */
 export const progress = (share: number): void => post({ kind: 'progress', share });
 
-/** No file of a voice is larger: the models of natural ones have some hundred MB. */
+/** Maximum size of a file of a voice, bytes: the models of natural ones have some hundred MB. */
 const MAX_BYTES = 1e9;
 
 /** Options for fetching a voice file. */

@@ -12,7 +12,7 @@ interface Answer {
 
 /** Timeout of a server that sends no data while it speaks, ms. */
 const PATIENCE_MS = 30_000;
-/** No answer is larger: a sentence of several minutes as plain samples. */
+/** Maximum size of an answer, bytes: a sentence of several minutes as uncompressed samples. */
 const MAX_BYTES = 64e6;
 
 class Server implements Host {

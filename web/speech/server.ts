@@ -16,12 +16,12 @@ export interface ServerVoice {
 }
 
 export interface SpeechServer {
-  /** Of the page's own origin, or one that its policy names in `connect-src`. */
+  /** Address of the server, of the page's own origin or one that the page's policy names in `connect-src`. */
   readonly url: string;
   readonly name: string;
   readonly about: string;
   readonly license: string;
-  /** For each language the first is the usual one. */
+  /** Voices; the first one for each language is the default. */
   readonly voices: readonly ServerVoice[];
   /** The voices of figures, by their names. */
   readonly figures?: Readonly<Record<string, string>>;

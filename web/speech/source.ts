@@ -32,7 +32,7 @@ export interface SpeechReceiver {
 
 /** Makes speech in the page. */
 export interface SpeechSource {
-  /** For people. */
+  /** Display name. */
   readonly name: string;
   /** Short description of the voice for people: its type and origin. */
   readonly about: string;
@@ -42,7 +42,7 @@ export interface SpeechSource {
   readonly ready: boolean;
   /** Returns true if it speaks a language, a BCP 47 tag. */
   speaks(language: string): boolean;
-  /** The voice of a figure of the library, in a language; of another name, a usual one. */
+  /** Returns the voice of a figure of the library in a language; for another name, a default voice. */
   voiceOf(figure: string, language: string): string;
   /**
    * Speaks a request; resolves when everything is spoken. Rejects with the signal's reason on abort, and with an `Error` with a readable sentence if nothing

@@ -103,7 +103,7 @@ export class WorkerSource implements SpeechSource {
     else waiting?.take({ bundle: reply.bundle, sounds: new Map(reply.sounds), problems: reply.problems });
   }
 
-  /** The next text gets a fresh worker. */
+  /** Ends the worker and rejects waiting texts with `message`; the next text gets a fresh worker. */
   #end(message: string): void {
     void this.#worker?.then((worker) => worker.terminate());
     this.#worker = undefined;

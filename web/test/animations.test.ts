@@ -22,7 +22,7 @@ describe('addresses of animations', () => {
   });
 });
 
-/** An engine that wants animations until it has them. */
+/** Returns an engine that requests animations until it has them. */
 function engine(...names: string[]) {
   const wanted = new Set(names);
   const given = new Map<string, string>();

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { captionAt, captionsOf } from '../element/captions/captions.js';
 import type { Utterance } from '../element/base/types.js';
 
-/** An utterance of half a second a word, with a pause of a tenth between words. */
+/** Returns an utterance of half a second per word, including a pause of a tenth of a second between words. */
 function say(text: string, startSecs = 0): Utterance {
   const words = text.split(' ').map((word, i) => ({
     text: word,

@@ -46,7 +46,7 @@ describe('An order by chance', () => {
   });
 });
 
-/** A pool of five questions of three seconds each, from second 10 on, and a question after it. */
+/** Returns a pool of five questions of three seconds each, from second 10 on, and a question after it. */
 function pooled(count: number): { questions: Question[]; ways: FlowEntry[] } {
   const ways: FlowEntry[] = [{ kind: 'pool', count, order: 9, atSecs: 10, endSecs: 25 }];
   const questions: Question[] = [];

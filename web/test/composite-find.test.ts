@@ -6,7 +6,7 @@ import { indexOf, nearest, search, tableOf, type FinderMatch } from '../composit
 import { BEARDS, HAIR, MARKS, WEAR } from '../composite/look.js';
 import table from '../composite/words.tsv?raw';
 
-/** The attributes of the pack, as the source of its labels has them. */
+/** Returns the attributes of the pack, as in the source of its labels. */
 function attributes(): Parameters<typeof indexOf>[0] {
   const source = readFileSync(new URL('../../crate/sculpt/src/labels.rs', import.meta.url), 'utf8');
   const labels = source.matchAll(/label\((?:"([\w ]+)"|LIFE), "([\w ]+)", \["([\w ]+)", "([\w ]+)"\], (Both|Shape|Texture)/g);

@@ -3,7 +3,7 @@
 import type { Reply } from '../course/report.js';
 import type { Question, QuestionKind, QuestionOption } from '../element/base/questions.js';
 
-/** A random number from 0 to 1, the same for the same seed. */
+/** Returns a generator of random numbers from 0 to 1, the same for the same seed. */
 export function random(seed: number): () => number {
   let state = seed * 2654435761 + 1;
   return () => {
@@ -21,7 +21,7 @@ const LARGE = '🐸[,]x'.repeat(170_000);
 
 export const oneOf = <T>(next: Next, list: readonly T[]): T => list[Math.floor(next() * list.length)] as T;
 
-/** A text of pieces that formats trip over; one in fifty is 1 MB long. */
+/** Returns a text of pieces that formats often mishandle; one in fifty is 1 MB long. */
 export function randomText(next: Next): string {
   if (next() < 0.02) return LARGE;
   const count = next() < 0.1 ? 300 : Math.floor(6 * next());
@@ -63,7 +63,7 @@ export function randomQuestion(next: Next, name: string, kind: QuestionKind = on
   return next() < 0.2 ? { ...asked, isUngraded: true, points: 0, tries: 1 } : asked;
 }
 
-/** A list in another order. */
+/** Returns a list in another order. */
 const shuffled = <T>(next: Next, list: readonly T[]): T[] =>
   list
     .map((it) => [next(), it] as const)

@@ -45,7 +45,7 @@ const SYSTEMS = [
 type System = (typeof SYSTEMS)[number];
 type Api = { readonly [method: string]: (...given: string[]) => string } & { renderCMIToJSONObject(): object; loadFromJSON(data: object, at: string): void };
 
-/** A window with the system's object, in a frame of a frame. */
+/** Returns a window that is a frame within a frame; the outermost window has the system's object. */
 function windowWith(object: string, api: Api): Window {
   const top: { [name: string]: unknown } = { [object]: api };
   top['parent'] = top;

@@ -5,7 +5,7 @@ import { describe, expect, test } from 'vitest';
 const root = join(import.meta.dirname, '../..');
 const documents = [...readdirSync(root), ...readdirSync(join(root, 'docs')).map((name) => `docs/${name}`)].filter((name) => name.endsWith('.md') && name !== 'CHANGELOG.md');
 
-/** `a/{b,c}.rs` names two files. */
+/** Expands braces in a path: `a/{b,c}.rs` names two files. */
 function expand(path: string): string[] {
   const [, before, inner, after] = /^(.*?)\{(.*?)\}(.*)$/.exec(path) ?? [];
   if (inner === undefined) return [path];

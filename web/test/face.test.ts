@@ -19,7 +19,7 @@ const written = (edit: (state: State) => void): string => {
   return write(state);
 };
 
-/** Even points all over the disc, further than words reach. */
+/** Evenly spaced points all over the disc, beyond the reach of the words. */
 const places = Array.from({ length: 41 * 41 }, (_, i) => ({ evaluation: -100 + 5 * (i % 41), activation: -100 + 5 * Math.floor(i / 41) }));
 
 describe('the way of expressions', () => {

@@ -1,4 +1,4 @@
-/** Every figure of the library is sound glTF by the Khronos validator, compressed and unpacked by meshoptimizer's own decoder. */
+/** Tests that every figure of the library is valid glTF by the Khronos validator, compressed and unpacked by meshoptimizer's own decoder. */
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';

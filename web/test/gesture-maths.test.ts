@@ -11,7 +11,7 @@ import { COMPILE_MS, openBuild } from './build.js';
 
 const openPalms = async (): Promise<Palms> => new Palms(await openBuild<PalmFunctions>());
 
-/** EML's axes have z to the back, the engine's to the front. */
+/** Converts between EML's axes, with z to the back, and the engine's, with z to the front. */
 const flipDepth = ([x, y, z]: Vector3): Vector3 => [x, y, -z];
 const [LEFT, RIGHT, UP, DOWN, FRONT, BACK]: Vector3[] = [
   [1, 0, 0],

@@ -11,7 +11,7 @@ import { apply, difference, read, within, type Change } from '../pages/source.js
 import { parseSecs, timesOf } from '../pages/gestures/time.js';
 
 const gesture = (text: string): Gesture => gestureOf(read(text));
-/** A body with extensions. */
+/** Returns EML with the extensions and the given body. */
 const eml = (body: string): string => `<eml xmlns:r="urn:raconteur:eml:1">\n  <body>\n${body}\n  </body>\n</eml>\n`;
 const TWO = eml(`    <gesture-key time="1" duration="2" handedness="right" r:phase="stroke">
       <hand-shapes><key time="0" id="4"/></hand-shapes>

@@ -8,7 +8,7 @@ let folder = '';
 beforeEach(() => void (folder = mkdtempSync(join(tmpdir(), 'kept-'))));
 afterEach(() => rmSync(folder, { recursive: true }));
 
-/** A file of a target folder, a day old. */
+/** Writes a file of a target folder, a day old. */
 function put(target: string, path: string, text = path): void {
   const file = join(folder, target, path);
   mkdirSync(dirname(file), { recursive: true });

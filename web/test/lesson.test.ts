@@ -293,7 +293,7 @@ describe('What is asked while a story plays', () => {
   });
 });
 
-/** A generator of random numbers (mulberry32). */
+/** Returns a generator of random numbers (mulberry32). */
 function dice(seed: number): (sides: number) => number {
   let state = seed;
   return (sides) => {

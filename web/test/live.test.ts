@@ -3,7 +3,7 @@ import { captionAt, captionsOf } from '../element/captions/captions.js';
 import { LiveScript } from '../element/engine/live.js';
 import type { Utterance } from '../element/base/types.js';
 
-/** An utterance of half a second a word. */
+/** Returns an utterance of half a second per word. */
 function say(text: string, startSecs: number): Utterance {
   const words = text.split(' ').map((word, i) => ({ text: word, startSecs: startSecs + i * 0.5, endSecs: startSecs + i * 0.5 + 0.5, emphasized: false }));
   return { startSecs, durationSecs: words.length * 0.5, audio: [], words, estimated: false };

@@ -8,7 +8,7 @@ import { StoryTextTracks } from '../element/media/text-tracks.js';
 
 const spansOf = (ranges: TimeRanges) => Array.from({ length: ranges.length }, (_, i) => [ranges.start(i), ranges.end(i)]);
 
-/** The same spans every time, no two runs of this test differ. */
+/** Returns a seeded random generator: the spans are the same in every run of this test. */
 function random(seed: number): () => number {
   let state = seed;
   return () => {
@@ -44,7 +44,7 @@ describe('ranges', () => {
   });
 });
 
-/** All tasks that are there have run. */
+/** Waits until all queued tasks have run. */
 const over = () => new Promise((done) => setTimeout(done, 20));
 
 describe('events', () => {

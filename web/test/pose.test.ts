@@ -11,7 +11,7 @@ const target = process.env['CARGO_TARGET_DIR'] ?? join(root, 'target');
 /** Twenty times in the story; not round, so that they fall within movements. */
 const times = Array.from({ length: 20 }, (_, i) => 0.137 + i * 7.391);
 
-/** As much of the JavaScript side as is used here. */
+/** Part of the JavaScript interface that these tests use. */
 interface Instance {
   (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
   poseDigests(eml: string, bundle: Uint8Array | undefined, glb: Uint8Array, names: string[], texts: string[], times: Float64Array): string[];

@@ -1,7 +1,7 @@
 import { expect, test, vi } from 'vitest';
 import { SharedTasks } from '../element/base/shared.js';
 
-/** Work whose end the test decides. */
+/** Returns work whose end the test decides. */
 function work() {
   const signals: AbortSignal[] = [];
   const ends: ((value: string) => void)[] = [];

@@ -38,7 +38,7 @@ const last = (): FakeWorker => {
   if (worker === undefined) throw new Error('no worker was made');
   return worker;
 };
-/** The parts of a text. */
+/** Speaks a text and returns its parts. */
 const speak = async (eml: string, progress: (share: number) => void = () => undefined): Promise<SpokenAudio[]> => {
   const parts: SpokenAudio[] = [];
   await flite.speak({ eml, voice: 'slt' }, { signal: aborts.signal, progress, take: (part) => parts.push(part) });

@@ -3,7 +3,7 @@ import { stretch } from '../element/sound/stretch.js';
 
 const RATE = 16000;
 
-/** A voice-like sound: a fundamental with harmonics, one second. */
+/** Returns a voice-like sound of one second: a fundamental with harmonics. */
 function voice(hz: number): Float32Array {
   return Float32Array.from({ length: RATE }, (_, i) => {
     const phase = (2 * Math.PI * hz * i) / RATE;
@@ -11,7 +11,7 @@ function voice(hz: number): Float32Array {
   });
 }
 
-/** Fundamental by autocorrelation over the middle of a sound, Hz: the first lag as good as the best, nearly. */
+/** Returns the fundamental of a sound, Hz, by autocorrelation over its middle: the first lag that is nearly as good as the best. */
 function pitch(sound: Float32Array): number {
   const from = Math.floor(sound.length / 3);
   const size = 2048;

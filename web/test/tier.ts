@@ -10,7 +10,7 @@ export const isLong = process.env['TEST_LONG'] !== undefined;
 /** Tested build: the shipped one in the long tier, a quickly built one in the gate. */
 export const kind: Kind = isLong ? kinds.shipped : kinds.quick;
 
-/** A number of cases: `gate` of them in the gate, `long` where everything runs. */
+/** Returns a number of cases: `gate` of them in the gate, `long` where everything runs. */
 export const sized = (gate: number, long: number): number => (isLong ? long : gate);
 
 /** Seed of samples: the commit, so that everything is covered over time, or `TEST_SEED`. */

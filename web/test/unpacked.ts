@@ -24,7 +24,7 @@ interface Root {
   extensionsRequired: string[];
 }
 
-/** The two chunks of a glTF binary. */
+/** Returns the two chunks of a glTF binary. */
 function chunks(glb: Buffer): [Buffer, Buffer] {
   const end = 20 + glb.readUInt32LE(12);
   return [glb.subarray(20, end), glb.subarray(end + 8, end + 8 + glb.readUInt32LE(end))];

@@ -12,7 +12,7 @@ function changedFiles() {
   return lists.flatMap((list) => (list ?? '').split('\n')).filter(Boolean);
 }
 
-/** Workspace packages by name, each with its folder in the tree and the packages it uses, those of its tests included or not. */
+/** Returns the workspace packages by name, each with its folder in the tree and the packages it uses, those of its tests included or not. */
 export function packages({ tests = true } = {}) {
   const text = ask('cargo', ['metadata', '--locked', '--no-deps', '--format-version', '1']);
   if (text === undefined) throw new Stop('cargo metadata failed.');

@@ -8,7 +8,7 @@ import { withParts } from './parts.js';
 /** Document: its path in the repository, its label in lists, and its subject. */
 type Document = readonly [path: string, label: string, about: string];
 
-/** All documents of the site, in the order of the menu. */
+/** All documents of the site, in menu order. */
 const groups: readonly (readonly [title: string, documents: readonly Document[]])[] = [
   ['Start', [['README.md', 'Read me', 'What Raconteur is, two commands to try it, and how to put it on a page.']]],
   [
@@ -75,7 +75,7 @@ export function pageOf(path: string): string {
   return path === 'examples/README.md' ? 'examples.html' : `${basename(path, '.md').toLowerCase()}.html`;
 }
 
-/** A heading's text as a name for links, as code hosts make it. */
+/** Converts a heading's text to a name for links, as code hosts do. */
 const slug = (text: string): string =>
   text
     .toLowerCase()
@@ -89,7 +89,7 @@ const escaped = (text: string): string => text.replace(/&/g, '&amp;').replace(/<
 /** Renders a document as HTML; `file` converts the path of a referenced file to its address. */
 function bodyOf(path: string, text: string, pages: ReadonlySet<string>, file: (path: string) => string): string {
   const slugs = new Map<string, number>();
-  /** An address in the document as one on the site. */
+  /** Converts an address in the document to one on the site. */
   const address = (href: string): string => {
     if (/^([a-z]+:|#|\/)/.test(href)) return href;
     const [to = '', place] = href.split('#');
@@ -122,7 +122,7 @@ function bodyOf(path: string, text: string, pages: ReadonlySet<string>, file: (p
   return marked.parse(text, { async: false }).replaceAll('<table>', '<table tabindex="0">').replaceAll('<th></th>', '<td></td>');
 }
 
-/** The list of all documents; `current` is marked. */
+/** Returns the list of all documents; `current` is marked. */
 function menu(root: string, current: string): string {
   return groups
     .map(([title, documents]) => {
@@ -143,7 +143,7 @@ function overview(root: string): string {
   return `<h1>Documents</h1>\n<div class="overview">${sections.join('\n')}</div>`;
 }
 
-/** The top of every page, with addresses as they are in `docs/`. */
+/** Returns the top of every page, with addresses as they are in `docs/`. */
 function topOf(): string {
   return withParts('    <!-- part: top -->').replace('/web/pages/icon.svg', 'icon.svg').replace('href="../docs/"', 'href="./" aria-current="true"');
 }

@@ -15,7 +15,7 @@ const reference = join(root, 'docs/element.md');
 
 const parse = (name) => ts.createSourceFile(`web/element/${name}.ts`, readFileSync(join(root, `web/element/${name}.ts`), 'utf8'), ts.ScriptTarget.ES2022, true);
 
-/** The members of the interfaces of events. */
+/** Returns the members of the event interfaces. */
 function eventsOf(source) {
   return source.statements.filter((statement) => ts.isInterfaceDeclaration(statement) && /^(Media|Player)EventMap$/.test(statement.name.text)).flatMap(({ name, members }) =>
     members.map((member) => ({
@@ -27,7 +27,7 @@ function eventsOf(source) {
   );
 }
 
-/** The attributes and the properties that they become. */
+/** Returns the attributes and the properties that they become. */
 async function attributesOf(members) {
   const { module } = await runnerImport(join(root, 'web/element/media/attributes.ts'), { root, configFile: false, logLevel: 'error' });
   return Object.entries({ ...module.mediaAttributes, ...module.attributes }).flatMap(([fieldName, { attribute = fieldName }]) => {
@@ -40,7 +40,7 @@ async function attributesOf(members) {
 /** Members for pages: neither private ones nor those for the parts of the player. */
 const isPublic = ({ privacy, name, static: isStatic }) => privacy === undefined && !isStatic && !/^(#|update|render|willUpdate|performUpdate|connected|disconnected|attributeChanged)/.test(name);
 
-/** The manifest (custom-elements.json, schema 1.0.0); `script` is the module that defines the element, `version` that of the package. */
+/** Returns the manifest (custom-elements.json, schema 1.0.0); `script` is the module that defines the element, `version` that of the package. */
 export async function manifest(script) {
   const sources = SOURCES.map(parse);
   const { schemaVersion, modules } = create({ modules: sources });
@@ -68,7 +68,7 @@ const table = (heads, rows) => [`| ${heads.join(' | ')} |`, `|${heads.map(() => 
 const code = (text) => `\`${line(text)}\``;
 const call = ({ name, parameters = [] }) => `${name}(${parameters.map((p) => (p.optional || p.default !== undefined ? `${p.name}?` : p.name)).join(', ')})`.replaceAll(/\{[^}]*\}/g, 'options');
 
-/** The reference of the element, Markdown. */
+/** Returns the reference of the element, in Markdown. */
 export async function referenceText() {
   const [{ declarations: [{ attributes, members, events, cssProperties, cssParts }] }] = (await manifest('')).modules;
   const own = (list) => list.filter(({ inheritedFrom }) => inheritedFrom === undefined);

@@ -1,6 +1,6 @@
 /** Returns the lines of an example's file shown in the guide. */
 export function shown(text: string): string[];
-/** The guide with the examples as they are now. */
+/** Returns the guide with the current examples. */
 export function written(text: string): string;
-/** The guide as it is. */
+/** Returns the guide as stored. */
 export function read(): string;

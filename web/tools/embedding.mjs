@@ -43,7 +43,7 @@ function fenced(path) {
   return ['```' + (LANGUAGES[type] ?? type.slice(1)), ...shown(readFileSync(join(root, 'examples', path), 'utf8')), '```'].join('\n');
 }
 
-/** The guide with the examples as they are now. */
+/** Returns the guide with the current examples. */
 export function written(text) {
   return text.replace(/(<!-- example (.+?) -->\n)[^]*?(<!-- \/example -->)/g, (_, begin, paths, end) => `${begin}\n${paths.split(' ').map(fenced).join('\n\n')}\n\n${end}`);
 }

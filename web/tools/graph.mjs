@@ -45,7 +45,7 @@ function named(from, name) {
 
 const read = new Map();
 
-/** The files that a file names, read once. */
+/** Returns the files that a file names; reads each file once. */
 function names(file) {
   const found = read.get(file) ?? namesIn(file);
   read.set(file, found);

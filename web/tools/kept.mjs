@@ -56,7 +56,7 @@ function place(to, make) {
   }
 }
 
-/** A file that is written once: the same file under two names where the disk can do that. */
+/** Places a file that is written once: the same file under two names if the disk supports that, else a copy. */
 function share(from, to) {
   place(to, (half) => {
     try {
@@ -69,7 +69,7 @@ function share(from, to) {
   });
 }
 
-/** A folder of small files, which each checkout has for itself. */
+/** Copies a folder of small files, so each checkout has its own. */
 const copy = (from, to) => place(to, (half) => cpSync(from, half, { recursive: true, preserveTimestamps: true, verbatimSymlinks: true }));
 
 /** Copies the compiled third-party crates of `from` missing in `to`. Returns their number. */

@@ -11,7 +11,7 @@ import { rustLibrary } from './rust-library.js';
 export interface Component {
   readonly name: string;
   readonly version: string;
-  /** As an SPDX expression. */
+  /** Licence as an SPDX expression. */
   readonly license: string;
   readonly source: string;
   /** Licence and notice files, exactly as in the package. */
@@ -87,7 +87,7 @@ function plainMit(root: string, folder: string, script: string): string[] {
   return [`MIT License\n\n${copyright}\n\n${own.slice(own.indexOf('Permission is')).trim()}`];
 }
 
-/** The package of npm in a folder. */
+/** Returns the npm package in a folder. */
 function packageAt(root: string, folder: string): Component {
   const { name, version, license, repository, main } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as {
     name: string;

@@ -19,7 +19,7 @@ function linksOf(nodes) {
   };
 }
 
-/** The bias of a convolution before it was rounded: that went through a division, two roundings and a change of shape. */
+/** Returns the name of a convolution's bias before it was rounded, by a division, two roundings and a change of shape. */
 function biasOf(add, maker) {
   let name = add.input[1];
   for (let i = 0; i < 4; i++) name = maker(name).input[0];
@@ -57,7 +57,7 @@ function used(nodes, outputs) {
   return kept.length === nodes.length ? nodes : used(kept, outputs);
 }
 
-/** A network that runs faster in a page, with a value inside, of floats, as one more output. */
+/** Returns a network that runs faster in a page, with an internal float value as one more output. */
 export function forPages(bytes, name) {
   const model = onnx.ModelProto.decode(bytes);
   const { graph } = model;

@@ -38,7 +38,7 @@ const about = (name, description, { files, ...rest }) => ({
   ...rest,
 });
 
-/** A script of a package with its types, for `exports`. */
+/** Returns a script of a package with its types, for `exports`. */
 const exported = (script, types) => ({ types: `./types/${types}.d.ts`, default: `./dist/${script}.js` });
 
 const playerTypes = 'web/package/player';

@@ -13,7 +13,7 @@ const THREAD = "import { Worker } from 'node:worker_threads';\nnew Worker(new UR
 const PAGE = '<!doctype html><title>A worker</title>';
 const WORKER = "import * as player from './node_modules/@raconteur/player/dist/standalone.js';\nself.postMessage([player.RaconteurPlayer, player.openFaces, player.PlayerError].map((it) => typeof it).join(' '));\n";
 
-/** In plain Node and in a worker of Node. */
+/** Imports the package in plain Node and in a worker of Node. */
 export function importBare(app) {
   writeFileSync(join(app, 'import.js'), IMPORTS);
   writeFileSync(join(app, 'thread.js'), THREAD);
@@ -23,7 +23,7 @@ export function importBare(app) {
   }
 }
 
-/** In a worker of a browser, which has no packages but the file for script tags. */
+/** Imports the package in a worker of a browser, which has no packages except the file for script tags. */
 export async function importInWorker(browser, app) {
   writeFileSync(join(app, 'worker.html'), PAGE);
   writeFileSync(join(app, 'worker.js'), WORKER);

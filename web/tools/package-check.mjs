@@ -45,7 +45,7 @@ function install(app, name) {
 /** Story of the page, and all voices; kokoro's includes flite's. */
 const CHOICES = ['--stories', 'hello-world', '--voices', 'espeak,kokoro'];
 
-/** An application's folder with the packed files and a page. */
+/** Creates an application's folder with the packed files and a page. */
 function lay(name, script) {
   const app = join(folder, name);
   for (const part of ['player', 'voice-flite', 'voice-espeak', 'voice-kokoro']) install(app, part);
@@ -72,7 +72,7 @@ function checkCommand(app) {
   if (existsSync(join(app, 'elsewhere'))) throw new Stop('The command copies before it knows what.');
 }
 
-/** A script tag that names a file on another server, which has the package and the library, as servers of packages have. */
+/** Checks a script tag that names a file on another server, which has the package and the library, as package servers do. */
 async function checkScriptTag(browser, app) {
   const packages = await serve(app, { cors: true });
   const script = `${packages.address}node_modules/@raconteur/player/dist/standalone.js`;

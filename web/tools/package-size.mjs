@@ -17,7 +17,7 @@ const BOUNDS_MB = { all: 10, page: 4 };
 
 const inMb = (bytes) => `${(bytes / 1e6).toFixed(2).padStart(6)} MB`;
 
-/** The files of a folder with their sizes in bytes, the largest first. */
+/** Returns the files of a folder with their sizes in bytes, largest first. */
 function filesIn(folder) {
   return readdirSync(folder, { recursive: true })
     .map((name) => ({ name, entry: statSync(join(folder, name)) }))

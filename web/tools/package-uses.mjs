@@ -18,7 +18,7 @@ async function openEngine(kind) {
   return engine;
 }
 
-/** The stories, by the paths of their folders. */
+/** Returns the stories, by the paths of their folders. */
 function stories() {
   return readdirSync(join(assets, 'stories'), { recursive: true })
     .filter((path) => path.endsWith('story.eml'))

@@ -12,7 +12,7 @@ import { main, once, root, run, serverOptions, Stop } from './steps.mjs';
 const PACKAGES = { '@met4citizen/talkinghead': '1.7.0', three: '0.180.0' };
 const FOLDER = '.setup/peer';
 const PAGE = { width: 1000, height: 700 };
-/** Of play: the first is left out, in which a player finds its quality. */
+/** Durations of play, milliseconds: the first, in which a player finds its quality, is excluded; the second is measured. */
 const [SETTLES_MS, MEASURED_MS] = [3000, 8000];
 const USAGE = 'npm run bench:peer -- --avatar FILE.glb [--rounds 3] [--quality auto] [--backend webgl]';
 
@@ -116,7 +116,7 @@ function report(rounds) {
   }
 }
 
-/** The peer and the version of three.js that it was made for. */
+/** Installs the peer and the version of three.js for which it was made. */
 async function packages() {
   await once('peer-packages', { inputs: [], extra: JSON.stringify(PACKAGES), outputs: [`${FOLDER}/node_modules/three/package.json`] }, () => {
     mkdirSync(join(root, FOLDER), { recursive: true });

@@ -20,7 +20,7 @@ const ENTITIES: { readonly [entity: string]: string } = { '&#60;': '<', '&#62;':
 
 const plain = (html: string) => html.replace(/&#\d+;/g, (entity) => ENTITIES[entity] ?? entity).trim();
 
-/** The library and its crates. */
+/** Returns the library and its crates as components. */
 export function rustLibrary(root: string): Component[] {
   const { status, stdout, stderr } = spawnSync('rustc', ['--print', 'sysroot'], { cwd: root, encoding: 'utf8' });
   if (status !== 0) throw new Error(`rustc does not tell where it is: ${stderr}`);

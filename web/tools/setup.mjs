@@ -11,7 +11,7 @@ import { pathToFileURL } from 'node:url';
 import { ask, main, once, root, run, start, Stop } from './steps.mjs';
 import { builds, buildWasm, kinds, stampOf } from './wasm.mjs';
 
-/** npm packages, exactly as locked. */
+/** Installs the npm packages, exactly as locked. */
 export async function packages() {
   await once(
     'packages',
@@ -23,7 +23,7 @@ export async function packages() {
   );
 }
 
-/** The pinned Rust toolchain with the wasm target. */
+/** Installs the pinned Rust toolchain with the wasm target. */
 export async function rust() {
   const channel = /channel\s*=\s*"([^"]+)"/.exec(readFileSync(join(root, 'rust-toolchain.toml'), 'utf8'))?.[1];
   if (channel === undefined) throw new Stop('rust-toolchain.toml names no channel.');
@@ -55,7 +55,7 @@ function hasWasmTarget() {
 const PAGE_SOURCES = ['index.html', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/speech', 'packages', 'web/pages', 'web/composite', 'web/tools/docs.ts', 'web/tools/links.ts',
   'web/tools/notices.ts', 'web/tools/pages.ts', 'web/tools/parts.ts', 'assets', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'docs'];
 
-/** The page, built into the folder of its kind of build (see `kinds`). `bindgen` as for `buildWasm`. */
+/** Builds the page into the folder of its kind of build (see `kinds`). `bindgen` as for `buildWasm`. */
 export async function page(kind = kinds.shipped, bindgen) {
   await packages();
   await rust();
@@ -166,7 +166,7 @@ export async function typos() {
   return join(root, file);
 }
 
-/** The browser for the tests: the system's, or Playwright's own download. */
+/** Provides the browser for the tests: the system's, or Playwright's own download. */
 export function chromium() {
   if (process.env['CHROMIUM'] !== undefined) return process.env['CHROMIUM'];
   if (existsSync('/usr/bin/chromium')) return '/usr/bin/chromium';

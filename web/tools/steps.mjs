@@ -96,7 +96,7 @@ export async function main(work) {
   }
 }
 
-/** The options of a program that serves: `--port N`, `--host NAME`, and its own; `usage` is printed for `--help`. */
+/** Returns the options of a server program: `--port N`, `--host NAME`, and its own; `usage` is printed for `--help`. */
 export function serverOptions(usage, own = {}) {
   const options = { ...own, port: { type: 'string' }, host: { type: 'string' }, help: { type: 'boolean' } };
   let values;

@@ -26,7 +26,7 @@ const cargo = (args, options) => start('cargo', args, options);
 const node = (file, args = [], options) => start(process.execPath, [file, ...args], options);
 
 let building;
-/** Rust's tests and programs, compiled once a run. */
+/** Compiles Rust's tests and programs, once per run. */
 const built = () => (building ??= buildTests());
 const program = async (name) => (await built()).programs[name];
 

@@ -16,7 +16,7 @@ const MIN_SECS = 10;
 /** A test that grew by less is not named. */
 const MIN_GROWTH_SECS = 5;
 
-/** A path for a report that another program writes, without the one of the last run. */
+/** Returns a path for a report that another program writes, without the report of the last run. */
 export function reportPath(name) {
   const path = join(root, '.setup/reports', `${name}.json`);
   mkdirSync(dirname(path), { recursive: true });
@@ -49,7 +49,7 @@ export function browserTimes(path) {
   );
 }
 
-/** The budget of each check from the table of docs/testing.md, whose rows end with seconds on the reference machine. */
+/** Returns the budget of each check from the table of docs/testing.md, whose rows end with seconds on the reference machine. */
 export function budgets(text) {
   const rows = [...text.matchAll(/^\| `([\w-]+)` \|.*\| (\d+) s \| [\d.]+ % \|$/gm)];
   return new Map(rows.map(([, name, secs]) => [name, Number(secs)]));

@@ -22,7 +22,7 @@ const [CAPI, LIBRARY] = ['onnxruntime/capi', /^(lib)?onnxruntime\.(so|dll|[\d.]+
 /** Options of pip that select one package per system, whatever Python is installed: its code is not run. */
 const PYTHON = ['--only-binary', ':all:', '--implementation', 'cp', '--python-version', '3.12', '--abi', 'cp312'];
 
-/** Of the model as its authors' tools made it. */
+/** SHA-256 of the model as produced by its authors' tools. */
 const MODEL_SHA256 = '6e742170d309016e5891a994e1ce1559c702a2ccd0075e67ef7157974f6406cb';
 /** Internal output of the model: the number of frames of each token. */
 const FRAMES = '/encoder/Clip_output_0';

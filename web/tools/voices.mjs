@@ -58,7 +58,7 @@ async function measureAll(program, options, voices) {
   return measured;
 }
 
-/** A number of three digits, with a proper minus. */
+/** Formats a number with three digits and a proper minus. */
 const figure = (x) => Number(x.toFixed(Math.abs(x) < 10 ? 2 : 1)).toString().replace('-', '−');
 
 /** Formats a value; NaN is encoded as null. */
@@ -102,7 +102,7 @@ One dimension alone, at +50 and −50.
 ${table(measured, isEmotion)}`;
 }
 
-/** The command line as it is shipped. */
+/** Builds the command line as it is shipped, and returns its path. */
 function build() {
   run('cargo', ['build', '--locked', '--release', '--package', 'raconteur-cli'], { why: 'Building the command line' });
   return join(targetFolder(), 'release', process.platform === 'win32' ? 'raconteur.exe' : 'raconteur');

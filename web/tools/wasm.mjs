@@ -25,7 +25,7 @@ export const kinds = {
   quick: { name: 'quick', profile: 'wasm-quick', folder: 'web/pkg/quick', site: '.setup/site', isOptimized: false },
 };
 
-/** The stamp in `.setup` of a wasm build. */
+/** Returns the stamp in `.setup` of a wasm build. */
 export const stampOf = (kind, build) => `wasm-${kind.name}-${build}`;
 
 /** Builds all variants of a kind. `bindgen` is the program that writes their JavaScript, where it is built already. */
@@ -47,7 +47,7 @@ export async function buildWasm(kind = kinds.shipped, bindgen) {
   }));
 }
 
-/** The package that a variant is a build of. */
+/** Returns the package from which a variant is built. */
 const crateOf = (feature) => `raconteur-${backends.includes(feature) ? 'web' : feature}`;
 
 /** Compiles a variant and returns its file, copied to `folder` because the next variant overwrites cargo's own. */

@@ -23,7 +23,7 @@ const BOUNDS = {
   'courses/how-a-story-is-told': { p808: 4, medianMs: 30, mostMs: 80 },
 };
 
-/** All bundles of the library. */
+/** All speech bundles of the library. */
 const bundles = readdirSync(join(root, 'assets'), { recursive: true })
   .filter((path) => path.endsWith('speech.json'))
   .map((path) => path.replaceAll('\\', '/').replace('/voice/speech.json', ''))

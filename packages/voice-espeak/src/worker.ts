@@ -80,7 +80,7 @@ class Espeak implements Host {
     return { samples, rateHz, events, marked };
   }
 
-  /** A string of its memory, which ends in 0. */
+  /** Returns a string from its memory, up to the terminating 0. */
   #string(start: number): string {
     const memory = this.#module.HEAPU8;
     return new TextDecoder().decode(memory.slice(start, memory.indexOf(0, start)));

@@ -1,7 +1,7 @@
 /** Tests of the same folders that do not apply to a storyteller. */
 
 export interface Inapplicable {
-  /** A file; all whose names begin so where a star ends it. */
+  /** Test file; a trailing star matches all files whose names begin with the text before it. */
   readonly test: string;
   readonly reason: string;
 }

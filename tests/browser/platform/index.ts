@@ -1,4 +1,4 @@
-/** All themes. */
+/** All themes of the platform tests. */
 
 import { theme as cues } from './cues.js';
 import { theme as interfaces } from './interface.js';

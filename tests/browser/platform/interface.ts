@@ -10,7 +10,7 @@ const cors = 'interfaces/HTMLElement/HTMLMediaElement/crossOrigin.html#';
 /** Returns a constant of an instance and of its class. */
 const constant = ({ media }: Kit<Video>, name: string) => [media, media.constructor].map((of) => (of as unknown as Record<string, unknown>)[name]);
 
-/** The value at first of a property of an element that was just made. */
+/** Returns the initial value of a property of a newly created element. */
 const first = ({ make }: Kit<Video>, name: string) => (make() as unknown as Record<string, unknown>)[name];
 
 /** Returns the values of a property for texts of its attribute; null means no attribute. */

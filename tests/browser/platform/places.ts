@@ -38,7 +38,7 @@ const RETURNS: readonly (readonly [number, 'the same' | 'elsewhere' | 'a fragmen
   [5000, 'a shadow'],
 ];
 
-/** It plays to its end without a document, having been in one or not. */
+/** Plays an element to its end outside a document, after it was in one before or never. */
 const detached = async ({ media, make, good, wait }: Kit<Video>, was: 'never' | 'before') => {
   const other = was === 'never' ? make() : media;
   if (was === 'before') {

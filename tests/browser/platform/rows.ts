@@ -11,7 +11,7 @@ export interface Row {
    * rows that none of them covers.
    */
   readonly test: string;
-  /** It runs in the page. */
+  /** Query of the media element; runs in the page. */
   readonly ask: (kit: Kit<Video>, given: never) => unknown;
   readonly given?: unknown;
   readonly expected: unknown;

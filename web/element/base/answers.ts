@@ -13,7 +13,7 @@ export interface Answered {
   readonly points: number;
   /** Number of tries. */
   readonly tries: number;
-  /** It is answered for good: right, not graded, or there are no tries left. */
+  /** True if the question is finally answered: right, not graded, or no tries left. */
   readonly isFinal: boolean;
 }
 

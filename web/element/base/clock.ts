@@ -47,13 +47,13 @@ export class StoryClock {
   }
 }
 
-/** The nearest speed that can be played, 0 included; 1 for NaN. */
+/** Returns the nearest playable speed, 0 included; 1 for NaN. */
 export function clampRate(rate: number): number {
   if (rate === 0) return 0;
   return Number.isFinite(rate) ? Math.min(RATES.max, Math.max(RATES.min, rate)) : 1;
 }
 
-/** `1:05`, or `1:02:05` from an hour on. */
+/** Formats a time as `1:05`, or as `1:02:05` from an hour on. */
 export function formatTime(secs: number): string {
   const whole = Number.isFinite(secs) ? Math.max(0, Math.floor(secs)) : 0;
   const two = (n: number) => String(n).padStart(2, '0');
@@ -82,7 +82,7 @@ function formatOf(language: string, unit: Unit): Intl.NumberFormat {
   return made;
 }
 
-/** `1 minute 5 seconds`, as it is read aloud in a language (a tag of BCP 47). */
+/** Formats a time for reading aloud in a language (a BCP 47 tag): `1 minute 5 seconds`. */
 export function spokenTime(secs: number, language = 'en'): string {
   const whole = Number.isFinite(secs) ? Math.max(0, Math.floor(secs)) : 0;
   const unit = (n: number, name: Unit) => formatOf(language, name).format(n);

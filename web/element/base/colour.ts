@@ -5,7 +5,7 @@ type Linear = readonly [number, number, number];
 const toSrgb = (x: number): number => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
 const toLinear = (x: number): number => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 
-/** A linear colour as `#rrggbb`. */
+/** Returns a linear colour as `#rrggbb`. */
 export function hexOf(rgb: Linear): string {
   const part = (x: number): string =>
     Math.round(255 * Math.min(1, Math.max(0, toSrgb(x))))

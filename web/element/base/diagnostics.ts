@@ -30,7 +30,7 @@ export class Diagnostics {
     this.#list = [...this.#list.filter((d) => !anew || d.start === undefined), ...diagnostics].slice(0, MAX_DIAGNOSTICS);
   }
 
-  /** Another figure performs: only those about sound stay, the rest belonged to the figure before. */
+  /** Keeps only the diagnostics about audio, when another figure performs; the others belonged to the previous figure. */
   keepSound(): void {
     this.#list = this.#list.filter((d) => OF_SOUND.includes(d.code));
   }

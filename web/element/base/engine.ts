@@ -12,11 +12,11 @@ export const TickStatus = {
   Skipped: 1,
   /** The rendering context is lost; a new engine with a new canvas can restore it. */
   Lost: 2,
-  /** This engine was made without a canvas. */
+  /** Error code of an engine that was created without a canvas. */
   NoPicture: 3,
 } as const;
 
-/** One storyteller: the class `Player` of `crate/web`. */
+/** Storyteller: the class `Player` of `crate/web`. */
 export interface Engine {
   /**
    * Reads a story; `bundle` is the text of `speech.json`, `glb` the figure, `motion` the amount of
@@ -31,7 +31,7 @@ export interface Engine {
   wantedAnimations(): string[];
   /** Takes animations by name; an empty text means not found. Returns the story `eml` with its new times, and the problems of these animations. */
   provideAnimations(eml: string, names: string[], texts: string[]): Story | undefined;
-  /** The dominant hand, `left` or `right`, in texts that are read later; by any other name, as story and figure have it. */
+  /** Sets the dominant hand, `left` or `right`, for texts that are read later; any other name restores the choice of story and figure. */
   setHandedness(hand: string): void;
   /** Sets the default language of lip animation, for texts read later whose language neither they nor a voice specify: a BCP 47 tag. */
   setLanguage(tag: string): void;
@@ -41,7 +41,7 @@ export interface Engine {
   hasDonor(name: string): boolean;
   /** Adds hair, on the skin that it grew on, for faces of a number of vertices. */
   addDonor(name: string, glb: Uint8Array, vertices: number): void;
-  /** The natural colours of hair, from dark to pale. */
+  /** Returns the natural colours of hair, from dark to pale. */
   naturalHair(): NaturalHair[];
   /** Returns the visible point of the skin at an image position, −1 to 1 from the left and from the bottom: three vertices and their weights. */
   pickFace(x: number, y: number): Float64Array | undefined;
@@ -66,7 +66,7 @@ export interface Engine {
   pose(): Float32Array;
   /** Returns the names of the items in `pose`: joints, then manipulators. */
   poseNames(): string[];
-  /** The controls of the face at `count` times, as numbers that `course.ts` decodes. */
+  /** Returns the controls of the face at `count` times, as numbers that `course.ts` decodes. */
   faceCurves(from: number, to: number, count: number): Float32Array;
   /** Returns the segments of speech that drive the mouth, and the names of its phones; `course.ts` reads them. */
   segments(): Float32Array;
@@ -81,13 +81,13 @@ export interface Engine {
   seek(timeSecs: number): void;
   /** Seeks like `seek`, but fades from the waiting behaviour into the story. */
   seekWithFade(timeSecs: number): void;
-  /** Size of the canvas in CSS pixels, and device pixels for each of them. */
+  /** Sets the size of the canvas in CSS pixels, and the number of device pixels per CSS pixel. */
   resize(width: number, height: number, dpr: number): void;
   /** Returns the music of the story and of live additions. */
   music(): Piece[];
   /** Returns the environment's expression of emotions at a story time; undefined before a load. */
   environmentExpression(timeSecs: number): EnvironmentExpression | undefined;
-  /** The cues passed since the last call. */
+  /** Returns the cues passed since the last call. */
   drainEvents(): Cue[];
   /** Takes the speech of coming fragments: a bundle that begins with the known one. Returns false if it does not. */
   updateBundle(bundle: Uint8Array): boolean;

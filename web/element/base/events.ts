@@ -96,7 +96,7 @@ export interface PlayerEventMap {
   figurechange: CustomEvent<{ figure: string }>;
 }
 
-/** All of these events, and those of every element. */
+/** Event map of the element: all of these events, and those of every element. */
 export type ElementEventMap = Omit<HTMLElementEventMap, keyof MediaEventMap | keyof PlayerEventMap> & MediaEventMap & PlayerEventMap;
 
 /** A listener for one of these events. */

@@ -44,7 +44,7 @@ export interface NaturalHair {
 export interface HairLook {
   /** Source: `own`, `none` (shaved), `bald`, or the name of a library file in `hair/`; for a beard also `stubble`. */
   readonly from?: string | undefined;
-  /** As it is without. */
+  /** Colour of the hair; its original colour if absent. */
   readonly colour?: HairColour | undefined;
 }
 
@@ -95,7 +95,7 @@ export type TattooShape = 'star' | 'heart' | 'cross' | 'anchor' | 'dots' | 'text
 /** A mark painted on the skin. */
 export interface FaceMark extends FaceSpot {
   readonly kind: 'scar' | 'mole' | 'birthmark' | 'tattoo';
-  /** Its length, metres. */
+  /** Length of the mark, metres. */
   readonly size: number;
   /** Turned clockwise by, radians. */
   readonly turn: number;

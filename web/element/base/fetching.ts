@@ -19,7 +19,7 @@ export type Credentials = 'same-origin' | 'include';
 export interface Fetching {
   /** Description of the resource, for the beginning of a sentence. */
   readonly what: string;
-  /** More bytes are not read. */
+  /** Maximum number of bytes to read. */
   readonly most: number;
   /** Signal that aborts the request. */
   readonly signal?: AbortSignal | undefined;
@@ -36,13 +36,13 @@ export class FetchError extends PlayerError {}
 /** Error returned when a file does not exist. */
 class MissingError extends FetchError {}
 
-/** An address for people. */
+/** Returns an address for display. */
 export const shown = (url: URL): string => (url.origin === globalThis.location?.origin ? url.pathname : url.href);
 
 /** Returns the error for a resource that is too large, before or while it is read. */
 export const tooLarge = (what: string, most: number): FetchError => new FetchError(`${what} is larger than ${Math.round(most / 1e6)} MB and was not read.`);
 
-/** One request, watched. */
+/** Timer that detects a stalled request. */
 class StallTimer {
   readonly #url: URL;
   readonly #fetching: Fetching;
@@ -132,7 +132,7 @@ async function watched<T>(url: URL, fetching: Fetching, work: (watch: StallTimer
   }
 }
 
-/** The bytes at an address. Throws a `FetchError`, or the signal's reason. */
+/** Fetches the bytes at an address. Throws a `FetchError`, or the signal's reason. */
 export async function fetchBytes(url: URL, fetching: Fetching): Promise<Uint8Array<ArrayBuffer>> {
   return await watched(url, fetching, async (watch) => {
     const chunks: Uint8Array[] = [];
@@ -141,7 +141,7 @@ export async function fetchBytes(url: URL, fetching: Fetching): Promise<Uint8Arr
   });
 }
 
-/** As `fetchBytes`, as text. */
+/** Does the same as `fetchBytes`, and returns text. */
 export async function fetchText(url: URL, fetching: Fetching): Promise<string> {
   return new TextDecoder().decode(await fetchBytes(url, fetching));
 }
@@ -151,7 +151,7 @@ if ((import.meta.url as string | undefined) === undefined) {
   throw new PlayerError('The player was built as a script without an address of its own: build it as a module (esbuild: --format=esm).');
 }
 
-/** Some bundlers write here where the file was on their own machine, and addresses from the page's. */
+/** True if the script's address is a file on the machine that built the page. Some bundlers write that path here, and resolve addresses from the page's. */
 const isPlaceOfBuild = import.meta.url.startsWith('file:') && !(globalThis.location?.protocol ?? 'file:').startsWith('file:');
 
 /**

@@ -26,7 +26,7 @@ interface ClauseRef {
   readonly clause: number;
   /** The EML element, for example `gesture-key`. */
   readonly element: string;
-  /** Its `timeId`. */
+  /** `timeId` of the clause. */
   readonly id?: string;
 }
 

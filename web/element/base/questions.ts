@@ -66,7 +66,7 @@ export interface QuestionOption {
   readonly text: string;
   readonly picture?: QuestionPicture;
   readonly isRight: boolean;
-  /** Of `match`: its right partner. */
+  /** Right partner of an option of a `match` question. */
   readonly partner?: string;
   /** Accepted texts, for `gap` and `text`. */
   readonly accepts?: readonly string[];
@@ -75,7 +75,7 @@ export interface QuestionOption {
   /** Smallest and largest accepted number, for `number`. */
   readonly least?: number;
   readonly most?: number;
-  /** Of `point`: the part of the figure. */
+  /** Part of the figure for an option of a `point` question. */
   readonly at?: string;
 }
 

@@ -19,7 +19,7 @@ export class Ranges implements TimeRanges {
     return this.#at(index)[0];
   }
 
-  /** As `start`. */
+  /** Throws the same errors as `start`. */
   end(index: number): number {
     return this.#at(index)[1];
   }
@@ -32,7 +32,7 @@ export class Ranges implements TimeRanges {
   }
 }
 
-/** The same times as the fewest spans, in order. */
+/** Returns the same times as the smallest number of spans, in order. */
 export function united(spans: readonly Span[]): Span[] {
   const found: Span[] = [];
   for (const [start, end] of [...spans].sort(([a], [b]) => a - b)) {

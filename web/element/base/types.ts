@@ -18,17 +18,17 @@ export interface Diagnostic {
 
 /** Location in the story's text. */
 export interface Place {
-  /** From 1. */
+  /** Line number, from 1. */
   readonly line: number;
-  /** From 1, in characters, as people count. */
+  /** Column number, from 1, in characters, as people count. */
   readonly column: number;
-  /** From 1, in UTF-16 units, as JavaScript and editors count. */
+  /** Column number, from 1, in UTF-16 units, as JavaScript and editors count. */
   readonly columnUtf16: number;
 }
 
 /** A spoken word; times are of the story. */
 export interface Word {
-  /** As written, punctuation attached. */
+  /** Word as written, with attached punctuation. */
   readonly text: string;
   readonly startSecs: number;
   readonly endSecs: number;
@@ -36,7 +36,7 @@ export interface Word {
   readonly emphasized: boolean;
 }
 
-/** One encoding of an utterance's sound. */
+/** One encoding of an utterance's audio. */
 export interface AudioFile {
   /** Plain name in the story's `voice` folder. */
   readonly file: string;
@@ -48,7 +48,7 @@ export interface AudioFile {
 export interface Utterance {
   readonly startSecs: number;
   readonly durationSecs: number;
-  /** In order of preference; empty when there is no recording. */
+  /** Audio files in order of preference; empty if there is no recording. */
   readonly audio: readonly AudioFile[];
   readonly words: readonly Word[];
   /** The times were guessed because no recording was found. */
@@ -113,7 +113,7 @@ export interface Piece {
   /** Path from the story's folder, or from `music/` of the asset library. An `.opus` may be accompanied by an `.mp3`. */
   readonly file: string;
   readonly library: boolean;
-  /** It begins again when it is over. */
+  /** True if the piece restarts at its end. */
   readonly loops: boolean;
   /** Volume at story times; linear between them. */
   readonly level: readonly (readonly [atSecs: number, level: number])[];
@@ -152,7 +152,7 @@ export interface View {
 
 /** Joints, targets and camera of the last displayed frame, as numbers; `readPose` of `pose.ts` decodes them. */
 export interface PoseNumbers {
-  /** Of the joints, then of the manipulators. */
+  /** Names of the joints, then of the manipulators. */
   readonly names: readonly string[];
   readonly numbers: Float32Array;
 }
@@ -170,7 +170,7 @@ export interface PictureStatistics {
   /** The tier in force. */
   readonly quality: string;
   readonly drawCalls: number;
-  /** Those of the figure, its shadows included. */
+  /** Number of draw calls of the figure, including its shadows. */
   readonly figureDrawCalls: number;
   /** Number of triangles drawn, all passes. */
   readonly triangles: number;

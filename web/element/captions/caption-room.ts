@@ -15,7 +15,7 @@ export class CaptionRoom {
     this.#stage = stage;
   }
 
-  /** Its share of the stage's height when it was measured last. */
+  /** Share of the stage's height at the last measurement. */
   get share(): number {
     return this.#share;
   }

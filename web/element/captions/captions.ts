@@ -6,7 +6,7 @@ import type { Utterance, Word } from '../base/types.js';
 /** The most characters of a line, as subtitles on television have them; a caption has two lines at most. */
 const LINE_CHARACTERS = 42;
 
-/** One caption. */
+/** Caption of the story. */
 export interface Caption {
   /** Start time: that of its first word. */
   readonly startSecs: number;
@@ -111,7 +111,7 @@ export function captionAt(captions: readonly Caption[], secs: number): { caption
   return { caption, word: spoken !== undefined && secs < spoken.endSecs ? word : -1 };
 }
 
-/** Index of the last item that has begun, or -1. */
+/** Returns the index of the last item that has begun, or -1. */
 function lastAtOrBefore(items: readonly { readonly startSecs: number }[], secs: number): number {
   let [low, high] = [0, items.length];
   while (low < high) {

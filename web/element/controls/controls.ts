@@ -15,7 +15,7 @@ const SPEEDS = [0.5, 0.75, 1, 1.25, 1.5, 2];
 /** State displayed by the bar. */
 export interface BarState {
   readonly words: ControlWords;
-  /** Of the words, a tag of BCP 47. */
+  /** Language of the words, a BCP 47 tag. */
   readonly language: string;
   readonly paused: boolean;
   readonly ended: boolean;
@@ -54,7 +54,7 @@ const filled = directive(
   },
 );
 
-/** The bar of controls. */
+/** Renders the control bar. */
 export function bar(state: BarState, actions: BarActions): TemplateResult {
   const { position, duration, words, language } = state;
   const share = duration > 0 ? (100 * position) / duration : 0;
@@ -138,7 +138,7 @@ export function caption(now: ReturnType<typeof captionAt>): TemplateResult | typ
   return html`<div class="captions" part="captions"><span>${words}</span></div>`;
 }
 
-/** The folded list of the problems of a story and its figure. */
+/** Renders the collapsible list of the problems of a story and its figure. */
 export function diagnosticList(diagnostics: readonly Diagnostic[]): TemplateResult | typeof nothing {
   if (diagnostics.length === 0) return nothing;
   const errors = diagnostics.filter((d) => d.severity === 'error').length;
@@ -162,7 +162,7 @@ export function diagnosticList(diagnostics: readonly Diagnostic[]): TemplateResu
 
 const where = (place: Place): string => `Line ${place.line}, column ${place.column}:`;
 
-/** A story that cannot be played at all. */
+/** Renders the message for a story that cannot be played at all. */
 export function failure(words: ControlWords, message: string, retry: () => void): TemplateResult {
   return html`<div class="failure" part="error" role="alert">
     <p><strong>${words.untold}</strong>${message}</p>
@@ -178,7 +178,7 @@ export function pictureLost(words: ControlWords, recovering: boolean, hasFilm: b
   </div>`;
 }
 
-/** The big button before a story begins and after it ends. */
+/** Renders the big button that is shown before a story begins and after it ends. */
 export function bigButton(words: ControlWords, ended: boolean, play: (event: MouseEvent) => void): TemplateResult {
   return html`<div class="overlay">
     <button part="big-play" aria-label=${ended ? words.playStoryAgain : words.playStory} @click=${play}>
@@ -195,7 +195,7 @@ export function loadingProgress(words: ControlWords, share: number): TemplateRes
   </div>`;
 }
 
-/** The sound is not there yet. */
+/** Renders the ring that is shown while audio is not available yet. */
 export function waitingRing(): TemplateResult {
   return html`<div class="progress"><span class="ring"></span></div>`;
 }

@@ -17,24 +17,24 @@ export class Idle {
     this.#changed = changed;
   }
 
-  /** There was no input for a while. */
+  /** True if there was no input for a while. */
   get is(): boolean {
     return this.#is;
   }
 
-  /** There was input. */
+  /** Handles input: ends the idle state and restarts its timer. */
   wake(): void {
     clearTimeout(this.#timer);
     this.#set(false);
     this.#timer = setTimeout(() => this.#set(!this.#busy()), HIDE_CONTROLS_MS);
   }
 
-  /** A finger's first tap on hidden controls only shows them. */
+  /** Handles a tap: a finger's first tap on hidden controls only shows them. */
   tap(event: PointerEvent, paused: boolean): void {
     this.#tapWoke = event.pointerType === 'touch' && this.#is && !paused;
   }
 
-  /** The last tap only showed the controls. */
+  /** True if the last tap only showed the controls. */
   get tapWoke(): boolean {
     return this.#tapWoke;
   }

@@ -26,7 +26,7 @@ export function addressOf(name: string, library: URL, story: URL): URL | undefin
   return url?.href.startsWith(folder.href) ? url : undefined;
 }
 
-/** The text of a clip; an animation of a glTF, GLB or VRM file is converted to one. */
+/** Fetches the text of a clip; converts an animation of a glTF, GLB or VRM file to one. */
 async function fetchClip(url: URL, signal: AbortSignal, credentials: Credentials): Promise<string> {
   const fetching: Fetching = { what: 'The animation', most: MAX_BYTES, signal, credentials };
   const bytes = await fetchBytes(url, fetching);

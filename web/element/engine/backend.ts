@@ -8,9 +8,9 @@ import type { Backend, Diagnostic, Performer } from '../base/types.js';
 
 /** Palm functions of the engine: `crate/web/src/palm.rs`. */
 export interface PalmFunctions {
-  /** Normal and fingers, 6 numbers; empty for a normal without direction. */
+  /** Returns the directions of normal and fingers, 6 numbers; empty if the normal has no direction. */
   handDirections(left: boolean, x: number, y: number, z: number, angle: number): Float64Array;
-  /** Normal and angle, 4 numbers. */
+  /** Returns the normal and angle of a palm, 4 numbers. */
   palmOf(left: boolean, directions: Float64Array): Float64Array;
 }
 
@@ -29,7 +29,7 @@ export interface NarrationFunctions {
 /** A script that was fetched. */
 export interface Script {
   readonly text: string;
-  /** That some of its bytes are not UTF-8. */
+  /** Diagnostic if some of its bytes are not UTF-8. */
   readonly problem?: Diagnostic;
 }
 
@@ -51,7 +51,7 @@ const scripts: Record<Backend, () => Promise<{ default: () => unknown }>> = {
 };
 const urls: Record<Backend, string> = { webgpu: webgpuUrl, webgl: webglUrl };
 
-/** No build is larger. */
+/** Maximum size of a build, bytes. */
 const MAX_BYTES = 64e6;
 
 /** Compiled modules, once per page, by address; each player has its own instance. */
@@ -87,7 +87,7 @@ export function warmUp(backend: Backend): void {
   Promise.all([scripts[backend](), compile(urls[backend])]).catch(() => undefined);
 }
 
-/** A fresh instance of a build. */
+/** Opens a fresh instance of a build. */
 export async function openInstance(backend: Backend): Promise<Instance> {
   const [script, module] = await Promise.all([scripts[backend](), compile(urls[backend])]);
   const instance = script.default() as Instance;

@@ -3,7 +3,7 @@
 import type { Performance } from '../base/performance.js';
 import type { Utterance } from '../base/types.js';
 
-/** As long as the engine remembers ended fragments. */
+/** Time for which the engine remembers ended fragments, seconds. */
 const KEEP_SECS = 300;
 
 /** Utterances by the index in cues. */
@@ -33,7 +33,7 @@ export class LiveScript implements Iterable<Utterance> {
     return this.byTime();
   }
 
-  /** Everything by time. */
+  /** Returns all utterances, sorted by time. */
   byTime(): Utterance[] {
     return [...this].sort((a, b) => a.startSecs - b.startSecs);
   }

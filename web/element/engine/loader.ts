@@ -90,7 +90,7 @@ export async function fetchStory(
   return { eml, problem, language, story, bundle, figure: who, voiceFolder, animations: new Animations(library, story, signal, credentials), edited };
 }
 
-/** A bare name is a figure of the library; anything else is an address. */
+/** Returns the address of a figure: a bare name is a figure of the library; anything else is an address. */
 function urlOfFigure(figure: string, library: URL): URL {
   return /^[\w-]+$/.test(figure) ? new URL(`figures/${figure}.glb`, library) : new URL(figure, document.baseURI);
 }
@@ -106,7 +106,7 @@ export async function fetchFigure(figure: string, library: URL, wanted: Requeste
   return await prepareFigure(figure, shown(url), bytes);
 }
 
-/** A file of the user's own. */
+/** Reads a figure from a file of the user's own. */
 export async function readFigure(file: File): Promise<FigureFile> {
   if (file.size > MAX_FIGURE_BYTES) throw tooLarge('The figure', MAX_FIGURE_BYTES);
   return await prepareFigure(file.name, file.name, new Uint8Array(await file.arrayBuffer()));

@@ -14,7 +14,7 @@ export interface ScreenPoint {
   readonly y: number;
 }
 
-/** One joint of the figure. */
+/** Joint of the figure. */
 export interface PosedJoint {
   readonly name: string;
   /** Index of its parent; -1 for the root. */
@@ -136,7 +136,7 @@ export class Lens {
     };
   }
 
-  /** The point under a spot of the canvas in the plane through `through` that has this `normal`; undefined where the view only grazes it. */
+  /** Returns the point under a canvas position in the plane through `through` that has this `normal`; undefined if the view only grazes the plane. */
   unproject(spot: ScreenPoint, width: number, height: number, through: Vector, normal: Vector): Vector | undefined {
     const x = ((2 * spot.x) / width - 1) * this.#halfWidth;
     const y = (1 - (2 * spot.y) / height) * this.#halfHeight;

@@ -7,14 +7,14 @@ import { fetchModule, SCRIPT } from '../base/fetching.js';
 import type { FaceLook, FigureFace } from '../base/face-types.js';
 import type { Diagnostic } from '../base/types.js';
 
-/** It is not larger. */
+/** Maximum size of the WebAssembly module that reads imported avatars, bytes. */
 const MAX_BYTES = 64e6;
 
 interface Instance {
   (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
   /** `convert` of `crate/web`, feature `avatar`. */
   convert(name: string, bytes: Uint8Array): { glb: Uint8Array; diagnostics: Diagnostic[] };
-  /** `convertAnimation` of the same. */
+  /** `convertAnimation` of `crate/web`, feature `avatar`. */
   convertAnimation(name: string, bytes: Uint8Array): string;
   /** `faceFile` of the same. */
   faceFile(
@@ -45,7 +45,7 @@ export interface FaceFile {
   readonly painted: Uint8Array | undefined;
 }
 
-/** A fresh instance each time: a hostile file can at worst end this one. */
+/** Opens a fresh instance each time: a hostile file can at worst crash this one. */
 async function open(): Promise<Instance> {
   const instance = instantiate() as unknown as Instance;
   const module = await fetchModule(new URL(wasmUrl, SCRIPT), { what: 'The part that reads imported avatars', most: MAX_BYTES });

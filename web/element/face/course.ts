@@ -10,7 +10,7 @@ export interface Segment {
   readonly name: string;
   readonly start: number;
   readonly end: number;
-  /** Its dominance is full between these. */
+  /** Time span in which its dominance is full. */
   readonly held: readonly [from: number, to: number];
   /** Magnitude of its dominance over the lips' opening. */
   readonly alpha: number;
@@ -66,7 +66,7 @@ export interface FaceCurves {
   readonly direct: Readonly<Record<DirectControl, readonly number[]>>;
 }
 
-/** The curves of `course(from, to, count)`, control by control; `count` is 4,096 at most. */
+/** Returns the curves of `course(from, to, count)`, control by control; `count` is at most 4,096. */
 export function curvesOf({ curves }: Pick<FaceCourse, 'curves'>, count: number): FaceCurves {
   const width = Math.floor(curves.length / count);
   const column = (i: number): number[] => Array.from({ length: count }, (_, sample) => curves[sample * width + i] ?? 0);

@@ -11,7 +11,7 @@ const NOT_LENT: readonly string[] = ['', 'own', 'none', 'bald'];
 export const FORMER_HAIR: Readonly<Record<string, string>> = { sofia: 'bob', lia: 'long', amara: 'bun', kenji: 'crop', nuno: 'tousled', papous: 'swept' };
 /** Beards formerly lent by one figure, by extent. */
 const FORMER_BEARDS = { full: 'full', moustache: 'moustache', goatee: 'goatee' } as const;
-/** It is painted on the skin. */
+/** Name of the beard that is painted on the skin. */
 const STUBBLE = 'stubble';
 
 /** Names of hair and beards of the library that a face needs. */
@@ -65,7 +65,7 @@ export interface SkinPaint {
 
 /** Number of steps of freckles and stubble: smaller changes are not repainted. */
 const STEPS = 25;
-/** Under a beard of tufts the skin is as if it were shaved. */
+/** Strength of the painted stubble under each beard: under a beard of tufts the skin looks shaved. */
 const UNDER: Readonly<Record<string, number>> = { [STUBBLE]: 1, full: 0.8, boxed: 0.9 };
 /** Maximum number of moles. */
 const MAX_MOLES = 12;

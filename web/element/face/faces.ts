@@ -121,7 +121,7 @@ export class Faces {
     return this.#model.randomPerson(seed);
   }
 
-  /** A face of the database. */
+  /** Sets the face to one of the database. */
   example(index: number): void {
     this.#model.example(index);
   }
@@ -136,7 +136,7 @@ export class Faces {
     return this.#model.segmentAt(vertex);
   }
 
-  /** x, y and z of each vertex of the skin: metres, between the tragions, x left, y up, z front. */
+  /** Returns x, y and z of each vertex of the skin: metres, between the tragions, x left, y up, z front. */
   skin(): Float64Array {
     return this.#model.skin(false);
   }
@@ -198,7 +198,7 @@ export class Faces {
     this.#model.constrain(held);
   }
 
-  /** The face as bytes, to the bit. */
+  /** Returns the face as bytes, bit-exact. */
   keep(): Uint8Array {
     return this.#model.keep();
   }

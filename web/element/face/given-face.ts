@@ -34,7 +34,7 @@ export class GivenFace {
     await paint.put(engine, this.face ?? {}, () => current() && paint === this.#paint);
   }
 
-  /** A file of the figure, of which `glb` is the one with its own face, with this face; undefined while it has its own. */
+  /** Returns a file of the figure with this face, where `glb` is the file with the figure's own face; undefined while the figure has its own face. */
   async file(name: string, glb: Uint8Array): Promise<Uint8Array | undefined> {
     const { face, lent } = this;
     if (face === undefined) return undefined;

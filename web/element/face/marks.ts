@@ -6,7 +6,7 @@ import { Speckles } from './speckles.js';
 import type { Engine } from '../base/engine.js';
 import type { FaceMark, TattooShape } from '../base/face-types.js';
 
-/** Two-dimensional, of an `OffscreenCanvas`. */
+/** Two-dimensional context of an `OffscreenCanvas`. */
 type Context = OffscreenCanvasRenderingContext2D;
 
 /** Blend mode of the paint: the texture multiplies the colour of the skin, so paint is the remaining share of each colour. */
@@ -84,7 +84,7 @@ function tattoo(context: Context, { shape = 'star', text = '' }: FaceMark): void
   context.fillText(letters, 0, 0);
 }
 
-/** A round spot, darker in its middle. */
+/** Draws a round spot, darker in its middle. */
 function spot(context: Context, middle: string, edge: string, half: number): void {
   const gradient = context.createRadialGradient(0, 0, 0, 0, 0, half);
   gradient.addColorStop(0, middle);
@@ -101,7 +101,7 @@ function mole(context: Context): void {
   spot(context, 'rgb(96 62 50)', 'rgb(255 255 255)', 0.5);
 }
 
-/** Several spots about each other, as of port wine. */
+/** Draws a birthmark: several spots around each other, like a port-wine stain. */
 function birthmark(context: Context): void {
   context.globalCompositeOperation = MULTIPLY;
   const places = [
@@ -121,7 +121,7 @@ function birthmark(context: Context): void {
   }
 }
 
-/** A healed cut: a paler ridge in reddened skin, with the shade that the ridge throws. */
+/** Draws a healed cut: a paler ridge in reddened skin, with the shade that the ridge casts. */
 function scar(context: Context): void {
   const line = (colour: string, width: number, off: number, mode: GlobalCompositeOperation): void => {
     context.globalCompositeOperation = mode;

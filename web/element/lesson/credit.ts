@@ -8,7 +8,7 @@ const STEPS = 100;
 /** Sums of fractions are a little less than they mean. */
 const NEARLY = 1e-6;
 
-/** The points of an answer: 0 to those of the question, and all of them only where it is right. */
+/** Returns the points of an answer: from 0 to those of the question, and all of them only if it is right. */
 export function pointsOf(question: Question, { given, isRight }: AnswerGrade): number {
   const { points, isPartial } = question;
   if (isRight === true) return points;

@@ -6,7 +6,7 @@ import type { Question, QuestionOption } from '../base/questions.js';
 export interface AnswerGrade {
   /** Given answers, without invalid ones. */
   readonly given: readonly string[];
-  /** Left out where the question is not graded. */
+  /** True if the answer is right; absent if the question is not graded. */
   readonly isRight?: boolean;
   /** Names of the matching options, which may determine the continuation. */
   readonly fits: readonly string[];
@@ -20,7 +20,7 @@ export function isOutcome(to: string, isRight: boolean | undefined): boolean {
 /** Maximum length of an answer text. */
 export const MAX_CHARACTERS = 10_000;
 
-/** An answer is the same with or without accents, capitals, commas and spaces. */
+/** Returns an answer in a form for comparison, independent of accents, capitals, commas and spaces. */
 export function plain(text: string): string {
   const bare = text
     .slice(0, MAX_CHARACTERS)
@@ -39,7 +39,7 @@ export function numberOf(text: string): number | undefined {
   return written !== '' && Number.isFinite(number) ? number : undefined;
 }
 
-/** The parts of a gap question's prompt: text, and between two of them the option of a gap. */
+/** Returns the parts of a gap question's prompt: text, and between two texts the option of a gap. */
 export function gapsOf({ prompt, options }: Question): readonly (string | QuestionOption)[] {
   const parts = prompt.split(/\[([^[\]]*)\]/);
   return parts.map((part, i) => {

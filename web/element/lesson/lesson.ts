@@ -50,7 +50,7 @@ const GO: FlowTurn = { kind: 'go' };
 const NEARLY_SECS = 1e-3;
 /** First order number of questions outside the story, after all others. */
 export const LIVE = 1e9;
-/** More of a state from outside is not read. */
+/** Maximum number of entries read from each list of an external state. */
 const MAX_DONE = 100_000;
 
 /** Returns the marks in the order of the story. */
@@ -171,7 +171,7 @@ export class Lesson {
     this.#skipped.length = 0;
   }
 
-  /** The parts of the story, by time. */
+  /** Parts of the story, by time. */
   get parts(): readonly Part[] {
     return this.#marks.flatMap((mark) => (mark.kind === 'part' ? [{ name: mark.name, title: mark.title, startSecs: mark.atSecs, endSecs: mark.endSecs }] : []));
   }

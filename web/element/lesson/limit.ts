@@ -36,7 +36,7 @@ export class Limit {
     if (allowedSecs !== undefined) this.#timer = setInterval(() => this.#tick(), 1000);
   }
 
-  /** Whole seconds that are left; undefined where there is no limit. */
+  /** Whole seconds left; undefined if there is no limit. */
   get leftSecs(): number | undefined {
     return this.#timer === undefined ? undefined : Math.max(0, Math.ceil(this.#leftSecs));
   }

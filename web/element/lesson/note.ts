@@ -9,7 +9,7 @@ const SHOWN_SECS = 20;
 interface Listener {
   /** Returns true if the story plays and is visible. */
   plays(): boolean;
-  /** It is gone. */
+  /** Called when the note is gone. */
   gone(): void;
   /** Called when the note is closed with a key and the focus must move on. */
   left(): void;

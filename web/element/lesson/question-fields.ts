@@ -48,7 +48,7 @@ export function givenIn(form: HTMLFormElement, { kind }: Question, shown: readon
   return new FormData(form).getAll('option').map(String);
 }
 
-/** The fields of a question. */
+/** Renders the fields of a question. */
 export function fieldsOf(fields: Fields): TemplateResult {
   switch (fields.question.kind) {
     case 'choice':

@@ -43,7 +43,7 @@ export class Questioner {
     return this.#isTurning;
   }
 
-  /** The text on stage is another, or has other times. */
+  /** Updates the questions when another text is on stage, or when its times change. */
   take({ questions, ways }: Story, secs: number): void {
     this.lesson.retime(questions, ways, secs);
   }

@@ -18,7 +18,7 @@ export interface KnownValues {
   answered(name: string): Answered | undefined;
 }
 
-/** A value as a document writes it. */
+/** Parses a value as written in a document. */
 function written(text: string): Value {
   if (text === 'true' || text === 'false') return text === 'true';
   const number = Number(text);
@@ -56,7 +56,7 @@ export class Values {
     this.#values.clear();
   }
 
-  /** All of them, as data. */
+  /** All values, as data. */
   get all(): { readonly [name: string]: Value } {
     return Object.fromEntries(this.#values);
   }

@@ -11,7 +11,7 @@ const flag = { type: Boolean };
 /** The property is the attribute itself, as those of media elements are. */
 const itself = { noAccessor: true };
 
-/** Those of a media element. */
+/** Attributes of a media element. */
 export const mediaAttributes: PropertyDeclarations = {
   src: itself,
   preload: itself,
@@ -39,7 +39,7 @@ export const THEMSELVES: ReadonlyMap<string, string> = new Map([
   ['playsinline', 'playsInline'],
 ]);
 
-/** Those of a storyteller. */
+/** Attributes of a storyteller. */
 export const attributes: PropertyDeclarations = {
   figure: text,
   handedness: text,

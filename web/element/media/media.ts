@@ -24,21 +24,21 @@ export function addStates(element: { prototype: object }): void {
   }
 }
 
-/** A `double` of the interface. */
+/** Returns a value as a `double` of the interface; throws `TypeError` if it is not finite. */
 export function finite(name: string, value: unknown): number {
   const number = Number(value);
   if (!Number.isFinite(number)) throw new TypeError(`Failed to set '${name}': the value is not a finite number.`);
   return number;
 }
 
-/** The `volume` that a page sets. */
+/** Checks and returns the `volume` set by a page. */
 export function checkedVolume(value: unknown): number {
   const number = finite('volume', value);
   if (number < 0 || number > 1) throw new DOMException(`Failed to set 'volume': ${number} is outside the range 0 to 1.`, 'IndexSizeError');
   return number;
 }
 
-/** The `playbackRate` or `defaultPlaybackRate` that a page sets. */
+/** Checks and returns the `playbackRate` or `defaultPlaybackRate` set by a page. */
 export function checkedRate(value: unknown, name = 'playbackRate'): number {
   const number = finite(name, value);
   if (number !== 0 && (number < RATES.min || number > RATES.max)) {
@@ -47,7 +47,7 @@ export function checkedRate(value: unknown, name = 'playbackRate'): number {
   return number;
 }
 
-/** An attribute counts when it can be set, else it is as if it were not there. */
+/** Returns a converter for an attribute; an invalid value counts as a missing attribute. */
 const from = (check: (value: unknown) => number) => ({
   fromAttribute(value: string | null): number {
     try {

@@ -63,7 +63,7 @@ export class Playback {
     this.#breakAfter('AbortError', 'The call of play() was interrupted by a call of pause().');
   }
 
-  /** A story is there. */
+  /** Attaches the transport of a story, and plays it if that was requested. */
   attach(transport: Transport): void {
     this.#transport = transport;
     if (this.#wanted) transport.play(true);
@@ -77,12 +77,12 @@ export class Playback {
     reject(this.#settle(), 'AbortError', 'The call of play() was interrupted by a new load.');
   }
 
-  /** There is no story to play. */
+  /** Reports that there is no story to play. */
   fail(message: string): void {
     this.#breakAfter('NotSupportedError', message);
   }
 
-  /** The sound has begun. */
+  /** Resolves pending promises, because the audio has begun. */
   started(): void {
     const pending = this.#settle();
     this.#after(() => {

@@ -38,7 +38,7 @@ export class StoryTextTrack extends EventTarget {
   readonly language: string;
   readonly id: string;
   oncuechange: ((event: Event) => unknown) | null = null;
-  /** Called when a page sets another mode, or adds a cue. */
+  /** Callback for a mode that a page sets, or a cue that it adds. */
   readonly #changed: (track: StoryTextTrack, isCue: boolean) => void;
   #mode: TextTrackMode;
   readonly #cues = new CueList();
@@ -76,7 +76,7 @@ export class StoryTextTrack extends EventTarget {
     return true;
   }
 
-  /** In order of time; null while the track is disabled. */
+  /** Cues in order of time; null while the track is disabled. */
   get cues(): CueList | null {
     return this.#mode === 'disabled' ? null : this.#cues.sort(byTime);
   }
@@ -114,7 +114,7 @@ export class StoryTextTrack extends EventTarget {
     this.#toldSecs = secs - AT_ONCE_SECS;
   }
 
-  /** The story is gone. */
+  /** Resets the track after the story was unloaded. */
   rest(): void {
     this.#active.splice(0);
     this.leap(0);

@@ -58,7 +58,7 @@ export class StoryTextTracks extends EventTarget {
     return this.#all.find((track) => id !== '' && track.id === id) ?? null;
   }
 
-  /** A track of a page's own. Throws `TypeError` for a kind that there is not. */
+  /** Adds a track of the page. Throws `TypeError` for an unknown kind. */
   add(kind: TextTrackKind, label: string, language: string): StoryTextTrack {
     if (!KINDS.includes(kind)) throw new TypeError(`Failed to execute 'addTextTrack': '${kind}' is not a kind of text track.`);
     const track = new StoryTextTrack({ kind, label, language }, 'hidden', (_, isCue) => (isCue ? this.#cueAdded() : this.#tell()));
@@ -67,7 +67,7 @@ export class StoryTextTracks extends EventTarget {
     return track;
   }
 
-  /** The story has captions in a language; undefined: there is no story. */
+  /** Replaces the story's caption track with one in a language; undefined if there is no story. */
   setStory(language: string | undefined, shown: boolean): void {
     const before = this.#own;
     this.#own = this.#of = undefined;
@@ -104,7 +104,7 @@ export class StoryTextTracks extends EventTarget {
     for (const track of this.#all) track.leap(secs);
   }
 
-  /** The story is gone. */
+  /** Resets all tracks after the story was unloaded. */
   rest(): void {
     for (const track of this.#all) track.rest();
   }
@@ -133,7 +133,7 @@ export class StoryTextTracks extends EventTarget {
     queueMicrotask(() => this.dispatchEvent(Object.defineProperty(new TrackEvent(type), 'track', { value: track })));
   }
 
-  /** Once for all modes that a script sets. */
+  /** Dispatches `change` once for all modes that a script sets. */
   #tell(): void {
     if (!this.#isTold) return;
     this.#isTold = false;
@@ -146,7 +146,7 @@ export class StoryTextTracks extends EventTarget {
 
 const escaped = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 
-/** A caption as text of WebVTT, its lines apart. */
+/** Returns a caption as WebVTT text, on separate lines. */
 function textOf({ words, second }: Caption): string {
   const line = (from: number, to: number) =>
     words

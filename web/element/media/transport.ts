@@ -46,7 +46,7 @@ export class Transport {
     return this.#ended;
   }
 
-  /** `play` was called, but the sound is not there yet. */
+  /** True if `play` was called but the audio is not available yet. */
   get waiting(): boolean {
     return this.#waiting;
   }

@@ -24,9 +24,9 @@ export interface MindHost {
   perform(fragment: string): readonly Answer[] | Promise<readonly Answer[]>;
   /** Returns true if a message ends fragments. */
   interrupts(message: string): boolean;
-  /** Until fragments are interrupted the next time. */
+  /** Returns a signal that aborts when fragments are next interrupted. */
   turn(): AbortSignal;
-  /** The answer about a fragment that waited then. */
+  /** Returns the answer about a fragment that was waiting at the interruption. */
   dropped(): readonly Answer[];
   report(diagnostic: Diagnostic): void;
   state(state: MindState): void;

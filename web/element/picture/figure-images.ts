@@ -22,7 +22,7 @@ export class FigureImages {
     this.#draws = draws;
   }
 
-  /** They are still being decoded. */
+  /** True while the images are still being decoded. */
   get pending(): boolean {
     return this.#pending;
   }

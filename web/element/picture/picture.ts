@@ -40,7 +40,7 @@ const RECOVERY_DELAY_MS = 600;
 /** Owner of the engine of one player. A trap in it loses the picture, not the story. */
 export class Picture {
   #backend: Backend;
-  /** Those that may be used instead, the best first. */
+  /** Alternative back ends, best first. */
   readonly #others: Backend[];
   #events: PictureEvents;
   #engine: Engine | undefined;
@@ -131,7 +131,7 @@ export class Picture {
     engine.seek(0);
   }
 
-  /** The build in use. */
+  /** Build in use. */
   get backend(): Backend {
     return this.#backend;
   }
@@ -166,7 +166,7 @@ export class Picture {
     return this.#guard((engine) => ({ curves: engine.faceCurves(from, to, count), segments: engine.segments(), names: engine.segmentNames() }));
   }
 
-  /** The music under the performance. */
+  /** Returns the music under the performance. */
   music(): readonly Piece[] {
     return this.#guard((engine) => engine.music()) ?? [];
   }
@@ -176,14 +176,14 @@ export class Picture {
     return this.#guard((engine) => engine.environmentExpression(secs));
   }
 
-  /** The clock may pass the end of the story. */
+  /** Sets if the clock may pass the end of the story. */
   setOpenEnded(openEnded: boolean): void {
     if (openEnded === this.#asked.openEnded) return;
     this.#asked.openEnded = openEnded;
     this.#guard((engine) => engine.setOpenEnded(openEnded));
   }
 
-  /** Another text for the present figure; undefined while there is no engine: the next one reads it. */
+  /** Gives the present figure another text; returns undefined while there is no engine: the next one reads the text. */
   rehearse(eml: string, motion: number | undefined, roomy: boolean): Story | undefined {
     this.#asked.motion = motion;
     this.#asked.roomy = roomy;
@@ -193,7 +193,7 @@ export class Picture {
     return story;
   }
 
-  /** The story with another voice; undefined while there is no engine: the next one reads it. */
+  /** Gives the story another voice; returns undefined while there is no engine: the next one reads it. */
   voiced(bundle: Uint8Array): Story | undefined {
     this.#reader.files = { ...this.#reader.files, bundle };
     const story = this.#guard((engine) => (this.#reader.files.edited ? this.#reader.reread(engine) : this.#reader.read(engine, this.#reader.files, true)));
@@ -279,7 +279,7 @@ export class Picture {
     else await this.#images.paint(engine);
   }
 
-  /** A file of the figure with its face; undefined while it has its own. */
+  /** Returns a file of the figure with its face; undefined while it has its own. */
   async faceFile(name: string): Promise<Uint8Array | undefined> {
     return await this.#given.file(name, this.#reader.files.figure.glb);
   }
@@ -292,7 +292,7 @@ export class Picture {
     return { corners: [a, b, c], shares: [d, e, f] };
   }
 
-  /** The natural colours of hair. */
+  /** Returns the natural colours of hair. */
   naturalHair(): readonly NaturalHair[] {
     return this.#guard((engine) => engine.naturalHair()) ?? [];
   }
@@ -308,7 +308,7 @@ export class Picture {
     return this.#canvas && copyOf(this.#canvas);
   }
 
-  /** Size of the canvas in CSS pixels. */
+  /** Sets the size of the canvas in CSS pixels. */
   resize(width: number, height: number): void {
     this.#size = { width, height };
     this.#guard((engine) => this.#fit(engine));

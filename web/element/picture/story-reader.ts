@@ -46,7 +46,7 @@ export class StoryReader {
     }
   }
 
-  /** Has the figure on stage read the text as one that is edited. */
+  /** Makes the figure on stage read the text as an edited one. */
   reread(engine: Engine, files = this.files): Story {
     const story = engine.rehearse(files.eml, files.bundle, this.#asked.life, this.#asked.roomy);
     if (story === undefined) throw new PlayerError('No figure is on stage.');

@@ -13,7 +13,7 @@ const AHEAD_SECS = 20;
 const KEEP_SECS = 60;
 /** Timeout of a recording without data; the story then continues with captions. */
 const PATIENCE_MS = 20_000;
-/** No utterance is larger: it would be ten minutes of plain samples. */
+/** Maximum size of an utterance's audio, bytes: ten minutes of uncompressed samples. */
 const MAX_SOUND_BYTES = 64e6;
 /** Time before a passage that is still being synthesised at which the story stops: enough to decode and schedule its audio. */
 const BEFORE_SPEAKING_SECS = 0.05;
@@ -48,7 +48,7 @@ type MissingHandler = Utterance | 'speech' | 'sound';
 export interface Recordings {
   readonly folder: URL;
   readonly credentials: Credentials;
-  /** One that `openDevice` has opened, or `''`, the usual one. */
+  /** Output device that `openDevice` has opened, or `''` for the default one. */
   readonly device: string;
 }
 
@@ -448,7 +448,7 @@ export class RecordedVoice implements Voice {
     }
   }
 
-  /** A sound at a speed. */
+  /** Returns the audio of an utterance at a speed. */
   #paced(utterance: Utterance, sound: AudioBuffer, rate: number): AudioBuffer {
     if (rate !== this.#stretchedRate) {
       this.#stretched.clear();

@@ -21,7 +21,7 @@ const FOLLOW_SECS = 0.02;
 const LATE_SECS = 0.4;
 const LATE_MS = 2000;
 
-/** The level of a line of points at a story time; straight between them. */
+/** Returns the level of a line of points at a story time, by linear interpolation. */
 export function levelAt(line: Piece['level'], secs: number): number {
   const after = line.findIndex(([at]) => at > secs);
   const [from, to] = [line.at(after < 0 ? -1 : after - 1), line[after < 0 ? line.length - 1 : after]];
@@ -48,7 +48,7 @@ interface Playing {
   setMs: number;
   /** True once it has been in time: from then on it is audible. */
   inTime: boolean;
-  /** Since when. */
+  /** Time since which the piece is audible, ms. */
   heardMs: number;
 }
 
@@ -147,7 +147,7 @@ export class Music {
     this.#playing.delete(key);
   }
 
-  /** A piece that is being fetched: the first of its files that the browser can play. */
+  /** Starts fetching a piece: the first of its files that the browser can play. */
   #open(piece: Piece): Playing {
     const sound = new Audio();
     // Without it the sound of another origin is silence to an audio graph.

@@ -9,8 +9,8 @@ export interface Permission {
 }
 
 /**
- * No output is later than this; wireless ones are some tenths. A browser whose device stumbled
- * may report seconds, for minutes, and captions and lips would be that late.
+ * Maximum output latency, seconds; wireless outputs have some tenths. A browser whose device stumbled may report seconds, for minutes, and captions and lips
+ * would be that late.
  */
 const MAX_LATENCY_SECS = 1;
 /** A browser that allows sound starts it within this, even on a busy machine. */
@@ -22,7 +22,7 @@ const PATIENCE_MS = 20_000;
 const contexts = new Map<string, SinkAudioContext>();
 
 interface SinkAudioContext extends AudioContext {
-  /** Not all browsers have it. */
+  /** Sets the output device; not supported by all browsers. */
   setSinkId?(device: string): Promise<void>;
 }
 

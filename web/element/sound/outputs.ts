@@ -43,7 +43,7 @@ type FrameCallback = (nowMs: number, frame: VideoFrameCallbackMetadata) => void;
 /** One-shot callbacks for the next frame (https://wicg.github.io/video-rvfc/). */
 export class FrameCallbacks {
   #callbacks = new Map<number, FrameCallback>();
-  /** Those that are being called. */
+  /** Callbacks that are being called. */
   #called = new Map<number, FrameCallback>();
   #last = 0;
   #frames = 0;
@@ -93,7 +93,7 @@ class Capture {
   #playing: Playing = { canvas: undefined, voice: undefined };
   #isLive = true;
 
-  /** A page has a stream whose tracks are not stopped. */
+  /** True if a page has a stream whose tracks are not stopped. */
   get isTaken(): boolean {
     return this.#streams.some(({ stream, hasSound }) => hasSound && stream.active);
   }
@@ -106,7 +106,7 @@ class Capture {
     return stream;
   }
 
-  /** Another canvas or voice plays from now on. */
+  /** Connects the streams to another canvas or voice. */
   follow(playing: Playing): void {
     if (playing.canvas === this.#playing.canvas && playing.voice === this.#playing.voice) return;
     for (const { stream } of this.#streams) empty(stream);

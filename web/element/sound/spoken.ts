@@ -48,7 +48,7 @@ export class SpokenSource {
   readonly #usual: SpeechStyle;
   readonly #onMissing: (message: string) => void;
   #rate: number | undefined;
-  /** Up to where the story was looked at, while it plays. */
+  /** Story time up to which due utterances have been searched, while the story plays. */
   #from: number | undefined;
   #volume = 1;
   #pace = 1;
@@ -204,7 +204,7 @@ export class SpokenSource {
   }
 }
 
-/** Some systems write tags with a low line. */
+/** Returns a language tag in lower case with hyphens; some systems write underscores. */
 const tag = (language: string) => language.toLowerCase().replaceAll('_', '-');
 const primary = (language: string) => tag(language).split('-')[0];
 

@@ -11,7 +11,7 @@ const SEARCH_SECS = 0.00625;
 /** Step of the coarse search over offsets and samples; a fine search follows. */
 const COARSE = 4;
 
-/** A recording at a speed, with its pitch. */
+/** Returns a recording at a speed, with its pitch preserved. */
 export function paced(sound: AudioBuffer, rate: number): AudioBuffer {
   const channels = Array.from({ length: sound.numberOfChannels }, (_, c) => stretch(sound.getChannelData(c), sound.sampleRate, rate));
   const buffer = new AudioBuffer({
@@ -23,7 +23,7 @@ export function paced(sound: AudioBuffer, rate: number): AudioBuffer {
   return buffer;
 }
 
-/** The samples of `input` in `1 / rate` of their time. */
+/** Returns the samples of `input`, stretched to `1 / rate` of their duration. */
 export function stretch(input: Float32Array, sampleRate: number, rate: number): Float32Array<ArrayBuffer> {
   const step = Math.max(16, Math.round((WINDOW_SECS * sampleRate) / 2));
   const size = step * 2;

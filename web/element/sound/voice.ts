@@ -33,7 +33,7 @@ export interface Voice {
   missing(): readonly Utterance[];
   /** Number of received recordings. */
   readonly come: number;
-  /** The music under the words; `library` is the folder of its pieces. */
+  /** Sets the music under the words; `library` is the folder of its pieces. */
   setMusic(pieces: readonly Piece[], library: URL): void;
   /** Adds sounds generated here, by the file names in the utterances. */
   give(sounds: ReadonlyMap<string, Uint8Array>): void;

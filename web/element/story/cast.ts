@@ -22,14 +22,14 @@ export interface PerformerRequest {
   /** Name from the library, address, or name of `given`; without it the story chooses. */
   readonly figure: string | undefined;
   readonly handedness: Hand | undefined;
-  /** A file of the user's own. */
+  /** File of the user's own. */
   readonly given: File | undefined;
   readonly library: URL;
   /** Location of the story; a text without a file has that of the page. */
   readonly story: URL;
 }
 
-/** The figure that is to perform a text. */
+/** Returns the figure that is to perform a text. */
 export async function castFigure(
   wish: PerformerRequest,
   eml: Promise<string>,
@@ -47,8 +47,8 @@ export async function castFigure(
 }
 
 /**
- * The figure that a story chooses: a name of the library, or a file in the story's folder. Where it
- * cannot be loaded, the default one, and `report` gets a diagnostic.
+ * Fetches the figure that a story chooses: a name of the library, or a file in the story's folder. If it cannot be loaded, fetches the default one, and
+ * `report` receives a diagnostic.
  */
 export async function fetchChoice(choice: string | undefined, story: URL, library: URL, wanted: RequestedFiles, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
   if (choice !== undefined) {
@@ -80,7 +80,7 @@ export async function openOrUsual<T>(
   }
 }
 
-/** The diagnostic where a story's figure cannot be used. */
+/** Returns the diagnostic for a story's figure that cannot be used. */
 function refusal(message: string): Diagnostic {
   return { code: 'figure-unusable', severity: 'warning', message, hints: [`“${USUAL_FIGURE}” performs instead of the figure that the story chooses.`] };
 }

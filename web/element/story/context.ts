@@ -54,7 +54,7 @@ export interface StoryQuestions {
   };
   /** True while an answer moves the story. */
   readonly isTurning: boolean;
-  /** The text on stage is another, or has other times. */
+  /** Handles another text on stage, or other times of its questions. */
   take(story: Story, secs: number): void;
   /** Clears the answers of an unloaded story. */
   clear(): void;

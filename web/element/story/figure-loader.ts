@@ -18,14 +18,14 @@ export class FigureLoader {
   readonly #context: PlayerContext;
   /** Controller of the figure being loaded. */
   #coming: AbortController | undefined;
-  /** A file that the user gave, under its name in `figure`. */
+  /** File supplied by the user, whose name is in `figure`. */
   given: File | undefined;
 
   constructor(context: PlayerContext) {
     this.#context = context;
   }
 
-  /** Another figure is being fetched. */
+  /** True while another figure is being fetched. */
   get busy(): boolean {
     return this.#coming !== undefined;
   }

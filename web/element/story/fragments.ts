@@ -17,7 +17,7 @@ const LIVE_LEAD_SECS = 0.1;
 const INTERRUPT = /^\s*<interrupt\s*\/>\s*$/;
 export const interrupts = (message: string): boolean => INTERRUPT.test(message);
 
-/** The answer about a fragment that waited when fragments were interrupted. */
+/** Returns the answer about a fragment that was waiting when fragments were interrupted. */
 export function dropped(timeSecs: number): readonly Answer[] {
   return [{ kind: 'failed', timeSecs, code: 'live::interrupted', message: 'Fragments were interrupted before this one was performed.' }];
 }

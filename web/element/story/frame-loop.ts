@@ -38,12 +38,12 @@ export class FrameLoop {
     this.#mind = mind;
   }
 
-  /** The present speech. */
+  /** Caption of the present speech. */
   get caption(): ReturnType<typeof captionAt> {
     return this.#caption;
   }
 
-  /** The story is gone. */
+  /** Clears the caption after the story was unloaded. */
   clearCaption(): void {
     this.#caption = undefined;
   }

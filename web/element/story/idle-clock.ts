@@ -9,7 +9,7 @@ import { reducesMotion } from '../base/surroundings.js';
 const MAX_HZ = 15;
 /** Maximum share of the time for rendering: slow devices render fewer frames. */
 const MAX_SHARE = 0.25;
-/** But one a second; fewer would be a row of stills. */
+/** Maximum time between frames, milliseconds: fewer than one frame a second would look like a series of stills. */
 const MAX_INTERVAL_MS = 1000;
 /** Maximum time of the screen's own frame; the remainder is rendering time. */
 const SCREEN_MS = 17;

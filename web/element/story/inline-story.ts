@@ -18,7 +18,7 @@ const BLOCKS = new Set('ADDRESS ARTICLE ASIDE BLOCKQUOTE BR DD DIV DL DT FIGCAPT
 interface InlineText {
   readonly text: string;
   readonly isEml: boolean;
-  /** It was EML before the parser of HTML read it. */
+  /** True if it was EML before the HTML parser read it. */
   readonly isMangled: boolean;
 }
 
@@ -32,12 +32,12 @@ function linesOf(node: Node): string {
   return text;
 }
 
-/** Text with its own spaces and line ends. */
+/** Returns text with its own spaces and line ends. */
 function plainOf(host: Element): string {
   return [...host.childNodes].map((child) => (child instanceof Text || (child instanceof Element && !child.matches(UNREAD)) ? child.textContent : '')).join('');
 }
 
-/** The story between the tags; undefined where no word is there. */
+/** Returns the story between the tags; undefined if it contains no word. */
 function written(host: Element): InlineText | undefined {
   const carrier = host.querySelector(`:scope > script[type="${EML_TYPE}"]`);
   if (carrier !== null) return { text: carrier.textContent.trim(), isEml: true, isMangled: false };

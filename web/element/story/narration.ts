@@ -23,7 +23,7 @@ export interface NarrationContext {
   /** Language of the text, a BCP 47 tag. */
   readonly language: string;
   perform(fragment: string): readonly Answer[] | Promise<readonly Answer[]>;
-  /** Story time. */
+  /** Returns the story time. */
   now(): number;
   report(diagnostic: Diagnostic): void;
 }

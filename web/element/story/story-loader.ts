@@ -40,7 +40,7 @@ export interface StoryLoaderEvents {
   /** Called after the page has been notified. */
   ready(show: Show): void;
   failed(message: string): void;
-  /** The story is gone. */
+  /** Called when the story is gone. */
   closed(): void;
   transport(event: TransportEvent): void;
 }
@@ -142,7 +142,7 @@ export class StoryLoader {
     player.requestUpdate();
   }
 
-  /** A story is looked for. */
+  /** Starts the selection of a story. */
   #choose(): void {
     const { player } = this.#context;
     this.#address = player.src;
@@ -157,7 +157,7 @@ export class StoryLoader {
     return show;
   }
 
-  /** As `require`; where there is no story at all, an empty stage, whose time has no end. */
+  /** Does the same as `require`; without any story, returns an empty stage, whose time has no end. */
   async stage(): Promise<Show> {
     await this.#context.player.updateComplete;
     if (!this.hasStory) this.#bare = true;
@@ -342,7 +342,7 @@ export class StoryLoader {
     return story.diagnostics;
   }
 
-  /** The story has other times, or is another: its derived data follow. */
+  /** Updates derived data after the story or its times changed. */
   #retell(story: Story, anew: boolean): void {
     const { player, show, diagnostics, advance } = this.#context;
     if (show === undefined) return;

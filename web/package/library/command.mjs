@@ -14,7 +14,7 @@ const library = join(own, 'library');
 /** Assets used by each story, by name. */
 const uses = JSON.parse(readFileSync(join(own, 'uses.json'), 'utf8'));
 const USUAL = 'hello-world';
-/** Any story may name one of them, and they are small. */
+/** Folders that are always included: any story may name one of their files, and they are small. */
 const ALWAYS = ['animations', 'hand-shapes'];
 const VOICE = '@raconteur/voice-';
 
@@ -42,7 +42,7 @@ function fail(message) {
   process.exit(1);
 }
 
-/** The folder of an installed package, as the page's own folder has it, or else this package. */
+/** Returns the folder of an installed package, as resolved from the page's own folder, or else from this package. */
 function installed(name) {
   for (const from of [join(process.cwd(), 'package.json'), fileURLToPath(import.meta.url)]) {
     try {

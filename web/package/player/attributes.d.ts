@@ -36,7 +36,7 @@ export type PlayerAttributes = { [Name in Named]?: RaconteurPlayer[Name] | undef
   playsinline?: boolean | undefined;
 };
 
-/** All events of a player by their names. */
+/** All events of a player, by name. */
 export type PlayerEvents = MediaEventMap & PlayerEventMap;
 
 /** Listeners as attributes: `on` before the events' names. */

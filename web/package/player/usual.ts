@@ -6,7 +6,7 @@ import { isEnglish } from '../../speech/english.js';
 import type { SpeechSource } from '../../speech/source.js';
 import type { Place } from '../../speech/usual.js';
 
-/** In the library's folder; `raconteur-library` copies it there. */
+/** Path of flite in the library's folder; `raconteur-library` copies it there. */
 const FLITE = 'voices/flite/flite.js';
 
 /** Search results by address, a source or an error: a page searches once. */

@@ -28,17 +28,17 @@ export class App extends PageState<State> {
     this.#playTogether();
   }
 
-  /** The sides that are on stage. */
+  /** Sides on stage. */
   get shown(): readonly Side[] {
     return this.state.compares ? ['a', 'b'] : ['a'];
   }
 
-  /** The setting that the controls change. */
+  /** Setting that the controls change. */
   get edited(): Setting {
     return settingOf(this.state, this.state.edits);
   }
 
-  /** The same for the time of one change. */
+  /** Returns a change of the state that applies `change` to the edited setting. */
   edit(change: (setting: Setting) => void): (state: State) => void {
     return (state) => {
       const setting = settingOf(state, state.edits);

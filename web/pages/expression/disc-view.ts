@@ -11,7 +11,7 @@ const WIDE = 170;
 const HIGH = 102;
 const RIM = 88;
 
-/** A type at the rim, its name beyond. */
+/** Renders a type at the rim, with its name beyond. */
 function mark(ray: EmotionRay, chosen: boolean): TemplateResult {
   const [dot, name] = [spotOf(ray, RIM), spotOf(ray, RIM + 6)];
   return svg`<g class=${chosen ? 'word felt' : 'word'}>

@@ -13,7 +13,7 @@ const SIDES: Readonly<Record<Side, string>> = { a: 'A', b: 'B' };
 
 const named = <T extends string>(names: readonly T[]): Record<T, T> => Object.fromEntries(names.map((name) => [name, name])) as Record<T, T>;
 
-/** All types in their groups: one set of radio buttons. */
+/** Renders all types in their groups: one set of radio buttons. */
 export function types(app: App): TemplateResult {
   const { emotion } = app.edited;
   const choose = (to: EmotionName): void => app.set(app.edit((s) => (s.emotion = to)));
@@ -24,7 +24,7 @@ export function types(app: App): TemplateResult {
 /** Renders the tick on the slider at which the shot changes. */
 const tick = ({ from }: { readonly from: number }): TemplateResult => html`<li ${vars({ '--share': String(from / STRONGEST) })}>${formatNumber(from)}</li>`;
 
-/** Strength, channels and set. */
+/** Renders strength, channels and set. */
 export function setting(app: App): TemplateResult {
   const { emotion, potential, set } = app.edited;
   const channel = (name: keyof Channels): TemplateResult => check(CHANNELS[name], app.edited[name], (on) => app.set(app.edit((s) => (s[name] = on))));

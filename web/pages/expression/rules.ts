@@ -49,7 +49,7 @@ const COLORS: Readonly<Record<string, string>> = {
 const MOODY = 1;
 const AROUSED = 0.6;
 
-/** A number for people: with a true minus, and no more digits than are read. */
+/** Formats a number for people: with a true minus, and without unnecessary digits. */
 export const formatNumber = (n: number, digits = 1): string => {
   const text = Math.abs(n).toFixed(digits);
   return n < 0 && Number(text) !== 0 ? `−${text}` : text;

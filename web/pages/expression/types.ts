@@ -3,11 +3,11 @@
 import emotions from '../emotions.json';
 import { WORDS, type EmotionWord } from '../face/disc.js';
 
-/** Those of `EMOTIONS` in `crate/stage/src/emotion.rs`. */
+/** Names of the good emotions, as in `EMOTIONS` in `crate/stage/src/emotion.rs`. */
 export const GOOD: readonly EmotionName[] = emotions.good;
 export const BAD: readonly EmotionName[] = emotions.bad;
 
-/** One of them, or `neutral`. */
+/** Name of an emotion, or `neutral`. */
 export type EmotionName = string;
 
 /** The greatest potential of `r:emotion`, and how exactly the page sets it. */
@@ -21,7 +21,7 @@ export interface EmotionRay {
   readonly name: EmotionName;
   /** 1 to the right, where evaluation is positive, or -1. */
   readonly side: 1 | -1;
-  /** From the horizontal upwards, degrees. */
+  /** Angle from the horizontal upwards, degrees. */
   readonly rise: number;
 }
 
@@ -36,8 +36,8 @@ function placeOf(name: EmotionName): EmotionWord {
 }
 
 /**
- * One side of the disc from the most active to the most passive direction of F&H table 4.4. Several types share a
- * direction there, so they are spread evenly: each can be dragged to.
+ * Returns one side of the disc, from the most active to the most passive direction of F&H table 4.4. Several types share a direction there, so they are spread
+ * evenly: each can be dragged to.
  */
 function fan(names: readonly EmotionName[], side: 1 | -1): readonly EmotionRay[] {
   const rise = (name: EmotionName): number => {

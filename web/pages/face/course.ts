@@ -9,7 +9,7 @@ export function dominance({ held, alpha, rates }: Segment, secs: number): number
   return alpha * Math.exp(-(rates[0] * Math.max(0, held[0] - secs) + rates[1] * Math.max(0, secs - held[1])));
 }
 
-/** One curve: a muscle or a direct parameter, from 0 or -1 to 1. */
+/** Curve of a muscle or a direct parameter, from 0 or -1 to 1. */
 export interface Curve {
   readonly name: string;
   readonly values: readonly number[];

@@ -4,13 +4,13 @@ import table from '../../../crate/tissue/src/muscles.tsv?raw';
 
 /** Slider: a muscle or a direct parameter, alone or left and right. */
 export interface FaceControl {
-  /** Its name in EML, without the side where there are two. */
+  /** Name in EML, without the side for a paired control. */
   readonly name: string;
   /** Label on the page. */
   readonly label: string;
   /** Short description of its effect. */
   readonly note: string;
-  /** One on each side of the face. */
+  /** True if there is one on each side of the face. */
   readonly paired: boolean;
   /** True for a range of -1 to 1 instead of from 0. */
   readonly signed: boolean;

@@ -47,7 +47,7 @@ function mark(word: EmotionWord, chosen: boolean): TemplateResult {
   </g>`;
 }
 
-/** The disc, its handle, and the same by words and numbers. */
+/** Renders the disc, its handle, and the same setting in words and numbers. */
 export function disc(app: App): TemplateResult {
   const { emotion } = app.state;
   const shares = sharesAt(emotion);

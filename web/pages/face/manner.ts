@@ -2,9 +2,9 @@
  * Amount and frequency of expressions that accompany speech: the amounts of `r:performer` (F&H sections 4.2 and 4.3; `crate/actor/src/nonverbal/manner.rs`).
  */
 
-/** One amount. */
+/** Adjustable amount with its EML attribute. */
 export interface Amount {
-  /** Its attribute in EML. */
+  /** Name of the EML attribute. */
   readonly name: string;
   readonly label: string;
   /** Short description of its effect. */
@@ -69,5 +69,5 @@ export const AMOUNTS: readonly AmountGroup[] = [
   },
 ];
 
-/** All of them. */
+/** All amounts of all groups. */
 export const ALL_AMOUNTS: readonly Amount[] = AMOUNTS.flatMap((group) => group.amounts);

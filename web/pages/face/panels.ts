@@ -20,7 +20,7 @@ function slider(app: App, dial: FaceControl, names: readonly string[], label: st
   </div>`;
 }
 
-/** A dial: one slider for both sides while they are linked, else one each. */
+/** Renders a dial: one slider for both sides while they are linked, else one for each. */
 function control(app: App, dial: FaceControl): TemplateResult {
   const names = namesOf(dial);
   if (!dial.paired || app.state.linked) return slider(app, dial, names, dial.label);
@@ -45,7 +45,7 @@ export function regions(app: App, list: readonly Region[], note: string): Templa
     )}`;
 }
 
-/** Linked sides are equal: the right one follows the left. */
+/** Links the sides, or unlinks them. Linked sides are equal: the right one follows the left. */
 function link(app: App, on: boolean): void {
   app.set((s) => {
     s.linked = on;

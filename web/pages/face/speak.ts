@@ -14,7 +14,7 @@ const STORIES: Readonly<Record<string, string>> = {
   'virtual-poets/os-lusiadas': 'Os Lusíadas',
 };
 const WAYS: Readonly<Record<PlanBasis, string>> = { sound: 'From its audio', text: 'From its text' };
-/** As long as a line is. */
+/** Maximum length of the text, characters: about one line. */
 const MAX_LETTERS = 300;
 
 /** Sentences of the stories that were fetched, by address. */
@@ -53,7 +53,7 @@ export function speak(app: App, src: string, line: Line | string): void {
   app.fromStart();
 }
 
-/** The form over the strip. */
+/** Renders the form above the strip. */
 export function speaking(app: App, say: (text: string) => void): TemplateResult {
   const { speech, story, way } = app.state;
   const mine = speech.kind === 'text' ? speech.text : '';

@@ -12,7 +12,7 @@ export interface Layers {
 
 /** A sentence of a story as its script has it. */
 export interface Line {
-  /** Its words, for people. */
+  /** Words of the sentence, for display. */
   readonly label: string;
   /** `voice-text` or `voice-say` of the sentence, without a time. */
   readonly markup: string;
@@ -34,7 +34,7 @@ export interface State {
   word: string;
   /** Control parameters that are not 0, by their names in EML; of two sides each for itself. */
   values: Record<string, number>;
-  /** Left and right move together. */
+  /** True if left and right move together. */
   linked: boolean;
   speech: Speech;
   /** Address of the story whose voice is loaded; empty for none. */

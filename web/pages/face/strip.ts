@@ -41,7 +41,7 @@ export function measure(app: App): Strip | undefined {
 
 const n = (value: number): string => value.toFixed(1);
 
-/** A hill of dominance under the phones. */
+/** Renders a hill of dominance under the phones. */
 function hill(segment: Segment, secs: number, most: number): TemplateResult | typeof nothing {
   const points: string[] = [];
   const step = 0.01;

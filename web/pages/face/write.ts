@@ -14,7 +14,7 @@ const AFTER_SECS = 1;
 
 const set = (parameterId: string, value: number): string => tag('body-set-control-parameter', { time: 0, parameterId, value });
 
-/** A dial's clauses: both sides in one where they are equal. */
+/** Returns a dial's clauses: both sides in one if they are equal. */
 function dial(own: FaceControl, values: State['values']): string[] {
   const [left, right] = namesOf(own).map((name) => values[name] ?? 0);
   if (left === right && left !== 0 && left !== undefined) return [set(own.name, left)];
@@ -32,7 +32,7 @@ function layers({ skin, springs, muscles, skull }: Layers): string[] {
   return Object.values(attributes).filter((value) => value !== undefined).length > 1 ? [tag('body-configure-geometry', attributes)] : [];
 }
 
-/** The speech, its inputs, and where it ends. */
+/** Returns the clauses of the speech, with its inputs and its end. */
 function speech({ speech: said }: State): { head: string; clauses: string[] } {
   const end = (time: string | number): string => tag('null', { time });
   const ends = `said+${AFTER_SECS}s`;
@@ -66,7 +66,7 @@ function accompanied(head: string, { way, manner }: State): string {
   );
 }
 
-/** A whole script that sets everything at its beginning. */
+/** Writes a complete script that sets everything at its beginning. */
 export function write(state: State): string {
   const { head: needed, clauses: said } = speech(state);
   const head = accompanied(needed, state);

@@ -19,7 +19,7 @@ const NAILS = 'M-.24.45v.03M-.08.6v.03M.085.68v.03M.25.57v.03';
 const flat = ([x, y]: Vector3): [number, number] => [x, -y];
 const short = (n: number): string => n.toFixed(3);
 
-/** A direction in words of the speaker. */
+/** Describes a direction in words, from the speaker's view. */
 export function inWords(direction: Vector3): string {
   const names: [string, Vector3][] = [
     ['to the front', [0, 0, 1]],

@@ -19,7 +19,7 @@ import {
 } from './gesture.js';
 import { attribute, insertInto, removeElement, setAttribute, type Change, type Element } from '../source.js';
 
-/** A number as people write it: at most this many decimals, no zeros behind. */
+/** Formats a number for people: with at most this many decimals, without trailing zeros. */
 export const written = (value: number, decimals = 2): string => {
   const text = String(Number(value.toFixed(decimals)));
   return text === '-0' ? '0' : text;
@@ -40,7 +40,7 @@ function setExtension(gesture: Gesture, element: Element, values: Readonly<Recor
   return [...changes, ...setAttributes(element, Object.fromEntries(Object.entries(values).map(([name, value]) => [`${prefix}:${name}`, value])))];
 }
 
-/** Several attributes of one element; the new ones follow each other in this order. */
+/** Returns the changes that set several attributes of one element; new attributes follow each other in this order. */
 function setAttributes(element: Element, values: Readonly<Record<string, string | undefined>>): Change[] {
   const changes = Object.entries(values).flatMap(([name, value]) => setAttribute(element, name, value));
   const added = changes.filter((c) => c.from === c.to);
@@ -49,7 +49,7 @@ function setAttributes(element: Element, values: Readonly<Record<string, string 
   return [...changes.filter((c) => c.from !== c.to), { ...first, insert: added.map((c) => c.insert).join('') }];
 }
 
-/** The markup of a key. */
+/** Returns the markup of a key. */
 function keyMarkup(prefix: string, time: string | undefined, value: Value): string {
   return `<key${time === undefined ? '' : ` time="${time}"`}${Object.entries(attributesOf(value, prefix))
     .map(([name, v]) => (v === undefined ? '' : ` ${name}="${v}"`))

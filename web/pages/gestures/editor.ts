@@ -79,7 +79,7 @@ function typedOver(event: InputEvent, view: EditorView): boolean {
 
 /** Events from the editor to the page. */
 export interface EditorEvents {
-  /** The text is another one now. */
+  /** Called when the text has changed. */
   text(text: string): void;
   /** Called when undo or redo becomes available or unavailable. */
   moved(): void;
@@ -167,7 +167,7 @@ export class Editor {
     this.#moving = true;
   }
 
-  /** The control rests. */
+  /** Ends the movement of a control. */
   settle(): void {
     this.#moving = false;
   }

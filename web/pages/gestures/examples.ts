@@ -9,7 +9,7 @@ type Palm = readonly [a: number, x: number, y: number, z: number];
 /** Keys of a track by time; a single one without a time is given directly. */
 type Keys<T> = T | Readonly<Record<string, T>>;
 
-/** One clause of an example. */
+/** Clause of an example. */
 interface Step {
   readonly phase: PhaseName;
   readonly secs: number;
@@ -44,7 +44,7 @@ function track<T>(
   ];
 }
 
-/** A script of one gesture. */
+/** Returns a script of one gesture. */
 function example(name: string, handedness: 'right' | 'both', steps: readonly Step[]): string {
   const clauses = steps.map(({ phase, secs, after = 0, shapes, palms, places, course, controls }) =>
     tag('gesture-key', { time: after, duration: secs, handedness, 'r:phase': phase }, [

@@ -44,12 +44,12 @@ export interface Handle {
   readonly top: number;
   /** Called with the dragged position: pixels of the frame, from its upper left corner. */
   drag(spot: { x: number; y: number }, frame: DOMRect, event: PointerEvent): void;
-  /** A key; true when it was used. Steps are 1, or 5 with the shift key. */
+  /** Handles a key; returns true if it was used. Steps are 1, or 5 with the Shift key. */
   key(right: number, up: number, ahead: number): boolean;
   done(): void;
 }
 
-/** A handle over a frame, the nearest `.frame` around it. */
+/** Renders a handle over a frame, the nearest `.frame` around it. */
 export function handle(it: Handle): TemplateResult {
   const press = (event: PointerEvent): void => {
     const frame = (event.currentTarget as HTMLElement).closest('.frame');

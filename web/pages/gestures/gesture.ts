@@ -65,7 +65,7 @@ export interface Track {
   readonly keys: readonly Key[];
 }
 
-/** One `gesture-key`. */
+/** Gesture phase: one `gesture-key`. */
 export interface Phase {
   readonly element: Element;
   readonly name: PhaseName | undefined;
@@ -195,7 +195,7 @@ function spread(written: readonly (string | undefined)[], durationSecs: number, 
 /** Returns true if the hands differ: some track is for one of them. */
 export const toldApart = (phase: Phase): boolean => phase.hands === 'both' && phase.tracks.some((track) => track.hand !== undefined);
 
-/** The track of a hand for a feature: its own, else the common one. */
+/** Returns the track of a hand for a feature: its own, or else the common one. */
 export function trackOf(phase: Phase, feature: Feature, hand: Hand): Track | undefined {
   if (phase.hands !== 'both' && phase.hands !== hand) return undefined;
   const tracks = phase.tracks.filter((track) => track.feature === feature);
@@ -205,7 +205,7 @@ export function trackOf(phase: Phase, feature: Feature, hand: Hand): Track | und
 /** Returns true if a hand performs the mirror image of its track (GEVH D.5.4: the dominant hand is the right). */
 export const mirrored = (phase: Phase, track: Track, hand: Hand): boolean => phase.hands === 'both' && track.hand === undefined && hand === 'left';
 
-/** The same on the other side of the body. */
+/** Returns a value mirrored to the other side of the body. */
 export function mirror(value: Value): Value {
   const flip = ([x, y, z]: Vector3): Vector3 => [x === 0 ? 0 : -x, y, z];
   return {

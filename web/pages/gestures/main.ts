@@ -162,7 +162,7 @@ onUndoKeys(
   () => app.editor.redo(),
 );
 
-/** The build that the player has fetched reads palms, too; where that fails, the next story that is loaded tries again. */
+/** Opens the palm calculations of the build that the player has fetched; after a failure, the next story that is loaded tries again. */
 async function openPalms(): Promise<void> {
   const backend = player.activeBackend;
   if (backend === undefined || app.palms !== undefined) return;

@@ -26,7 +26,7 @@ export class Palms {
     return new Palms(await openInstance(backend));
   }
 
-  /** The directions that a normal and an angle mean for a hand. EML axes, degrees by the left-hand rule. */
+  /** Returns the directions that a normal and an angle mean for a hand. EML axes, degrees by the left-hand rule. */
   directionsOf(hand: Hand, normal: Vector3, angle: number): HandDirections {
     const read = (...[x, y, z]: Vector3): Float64Array => this.engine.handDirections(hand === 'left', x, y, z, Number.isFinite(angle) ? angle : 0);
     const known = read(...normal);

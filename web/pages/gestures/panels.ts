@@ -32,7 +32,7 @@ import { keyInWords, LANES } from './timeline.js';
 
 export const TABS: Readonly<Record<Tab, string>> = { phase: 'Phase', shape: 'Hand shape', palm: 'Palm', place: 'Place', course: 'Course' };
 
-/** The steps as tabs, and the panel of the one that is chosen. */
+/** Renders the steps as tabs, and the panel of the selected one. */
 export function panels(app: App): TemplateResult {
   const { phase } = app;
   const names = Object.keys(TABS) as Tab[];
@@ -83,7 +83,7 @@ function hands(app: App, phase: Phase): TemplateResult | typeof nothing {
   return toldApart(phase) ? choice('hand', 'Hand', app.hand, { right: 'Right', left: 'Left' }, (hand) => (app.hand = hand)) : nothing;
 }
 
-/** The keys of a track and the time of the one that is edited. */
+/** Renders the keys of a track and the time of the edited one. */
 function keyRow(app: App, phase: Phase, feature: Feature, key: Key): TemplateResult {
   const keys = app.track(feature)?.keys ?? [];
   return html`<div class="key-row">

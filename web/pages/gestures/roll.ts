@@ -6,7 +6,7 @@ import type { HandDirections } from './palm.js';
 
 export const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
-/** A vector turned about a unit axis (the formula of Rodrigues). */
+/** Returns a vector rotated about a unit axis (Rodrigues' rotation formula). */
 function turned(v: Vector3, axis: Vector3, angle: number): Vector3 {
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
   const beside = along([v[0] * cos, v[1] * cos, v[2] * cos], cross(axis, v), sin);

@@ -16,7 +16,7 @@ export function shapePicture(id: number): TemplateResult {
   return html`<span class="picture" ${vars({ '--x': `${(100 * column) / (COLUMNS - 1)}%`, '--y': `${(100 * row) / (ROWS - 1)}%` })}></span>`;
 }
 
-/** All shapes as one group of radio buttons; arrow keys walk through it as through any. */
+/** Renders all shapes as one group of radio buttons; arrow keys move through it as through any other. */
 export function shapePicker(name: string, label: string, value: number | undefined, choose: (id: number) => void): TemplateResult {
   return html`<fieldset class="shapes">
     <legend>${label}</legend>

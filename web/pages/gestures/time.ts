@@ -50,7 +50,7 @@ export function timesOf(body: Element): Map<Element, number> {
   }
   return starts;
 
-  /** The end of the clauses that play from `from`; undefined when it is not known. */
+  /** Returns the end of the clauses that play from `from`; undefined if it is not known. */
   function play(clauses: readonly Element[], from: number | undefined, inSequence: boolean): number | undefined {
     let end = from;
     let all: number | undefined = from;

@@ -121,7 +121,7 @@ function block(app: App, phase: Phase, index: number, start: number, { percent, 
   </div>`;
 }
 
-/** The keys of a feature in a phase: of the hand that is edited, or of both where they differ. */
+/** Renders the keys of a feature in a phase: those of the edited hand, or of both where they differ. */
 function keysOf(app: App, phase: Phase, index: number, start: number, feature: Feature, { percent, secsOf }: Scale): TemplateResult[] {
   const apart = toldApart(phase);
   const hands = apart ? HANDS : [phase.hands === 'left' ? ('left' as const) : ('right' as const)];

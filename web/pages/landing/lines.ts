@@ -27,7 +27,7 @@ interface Row {
   readonly words: readonly HTMLElement[];
 }
 
-/** As the stage's own controls write times. */
+/** Formats a time as the stage's own controls do. */
 const clock = (secs: number): string => `${Math.floor(secs / 60)}:${String(Math.floor(secs % 60)).padStart(2, '0')}`;
 
 export class Lines {

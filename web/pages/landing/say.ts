@@ -13,12 +13,12 @@ const MAX_CHARACTERS = 600;
 /** Pattern of a shared text in the address, preceded by its language if that is not English. */
 const SHARED = /^#say(?:\.(de|pt))?=(.*)$/s;
 
-/** The address of a text. */
+/** Returns the address of a text. */
 const shared = (text: string, language: string): string => `#say${language === 'en' ? '' : `.${language}`}=${encodeURIComponent(text)}`;
 
 /** Callbacks before a text takes the stage. */
 interface SayStage {
-  /** The chosen story has left the stage, for this script. */
+  /** Called when the chosen story has left the stage for this script. */
   clear(script: string): void;
 }
 

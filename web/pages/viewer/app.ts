@@ -96,7 +96,7 @@ export class App extends PageState<State> {
     this.renderOverlay();
   }
 
-  /** The player has gone elsewhere in its script. */
+  /** Handles a seek of the player to another time of its script. */
   sought(): void {
     if (this.#paces.restart(this.player.currentTime)) this.update();
   }

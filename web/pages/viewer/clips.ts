@@ -26,7 +26,7 @@ export const SHELVED: readonly { readonly shelf: string; readonly clips: readonl
 /** Returns the description of an animation. */
 export const aboutClip = (name: string): string => clips.find((clip) => clip.name === name)?.about ?? '';
 
-/** `step-march` for people. */
+/** Returns the display title of a clip, for example of `step-march`. */
 export const clipTitle = (name: string): string =>
   name
     .replace(/^step-/, '')

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { aboutClip, clipTitle, SHELVED } from './clips.js';
 
-/** A menu of words. */
+/** Renders a menu of words. */
 export function menu<T extends string>(label: string, value: T, options: Readonly<Record<T, string>>, choose: (value: T) => void): TemplateResult {
   return html`<label class="select"><span>${label}</span>
     <select aria-label=${label} .value=${live(value)} @change=${(event: Event) => choose((event.target as HTMLSelectElement).value as T)}>

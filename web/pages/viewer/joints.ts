@@ -13,7 +13,7 @@ type Axes = PosedJoint['axes'];
 const X: Vector = [1, 0, 0];
 const Y: Vector = [0, 1, 0];
 const Z: Vector = [0, 0, 1];
-/** A vector in the axes of a rotation, and back. */
+/** Returns a vector in the axes of a rotation; `turned` is the inverse. */
 const within = ([x, y, z]: Axes, v: Vector): Vector => [dot(x, v), dot(y, v), dot(z, v)];
 const turned = (axes: Axes, v: Vector): Vector => within(back(axes), v);
 const times = (...all: readonly Axes[]): Axes => all.reduceRight((after, m) => after.map((v) => turned(m, v)) as [Vector, Vector, Vector]);
@@ -22,7 +22,7 @@ const back = ([x, y, z]: Axes): Axes => [
   [x[1], y[1], z[1]],
   [x[2], y[2], z[2]],
 ];
-/** The turn by an angle about a unit axis. */
+/** Returns the rotation by an angle about a unit axis. */
 function about(axis: Vector, angle: number): Axes {
   const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
   const column = (v: Vector): Vector => within(back([v, cross(axis, v), axis]), [cos, sin, dot(axis, v) * (1 - cos)]);
@@ -44,7 +44,7 @@ const ROWS = {
   subtalar: [-90.2381, 36.4449, 0.1221],
 } as const;
 
-/** The axes of a bone in the zero pose, arms stretched out sideways (`zero_frames` in `crate/body`). */
+/** Returns the axes of a bone in the zero pose, arms stretched out sideways (`zero_frames` in `crate/body`). */
 function zeroOf(part: keyof typeof ROWS, left: boolean): Axes {
   const [a, b, c] = ROWS[part].map((degrees) => (degrees * Math.PI) / 180) as [number, number, number];
   const [x, y] = times(about(Z, a), about(Y, b), about(Z, c));
@@ -62,7 +62,7 @@ class Rig {
   readonly #lowerFromUpper: Axes;
   readonly #endFromLower: Axes;
   readonly #endFromTarget: Axes;
-  /** Of elbow or knee, in the lower bone. */
+  /** Hinge axis of elbow or knee, in the lower bone. */
   readonly #hinge: Vector;
 
   constructor(
@@ -118,7 +118,7 @@ class Rig {
   }
 }
 
-/** Neck and skull, degrees; a twist of the neck is left out: it has no joint for that. */
+/** Returns the angles of neck and skull, degrees. A twist of the neck is omitted: it has no joint for that. */
 function headJoints(trunk: PosedJoint, neck: PosedJoint, skull: PosedJoint): number[] {
   const base = times(trunk.axes, back(MIDDLE));
   const [, up] = times(back(base), neck.axes, back(MIDDLE));

@@ -50,7 +50,7 @@ export function manipulators(app: App): TemplateResult {
     }`;
 }
 
-/** From the beginning, when limbs set out. */
+/** Plays the script from the beginning, when limbs start to move. */
 function watch(app: App): void {
   app.restart();
   app.player.play().catch(() => undefined);

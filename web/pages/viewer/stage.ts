@@ -90,7 +90,7 @@ function handle(app: App, pose: PoseNow, name: LimbName, left: number, top: numb
   ><span></span></button>`;
 }
 
-/** A handle that is used opens its panel. */
+/** Selects the limb of a used handle, and opens its panel. */
 function choose(app: App, name: LimbName): void {
   app.limb = name;
   app.tab = 'manipulators';

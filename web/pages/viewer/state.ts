@@ -6,7 +6,7 @@ export type Mechanism = 'none' | 'layers' | 'groups' | 'stances';
 /** Playback style of an animation; the words of EML's `animation-style`. */
 export type Style = 'loop' | 'loopReverse' | 'pingPong' | 'iterations' | 'iterationsReverse' | 'temporaryIterations' | 'temporaryIterationsReverse';
 
-/** One track of a player. */
+/** State of one track of a player. */
 export interface Track {
   /** Name of the animation; empty for none. */
   clip: string;
@@ -33,7 +33,7 @@ export type DriveMode = 'free' | 'place' | 'joints';
 /** Path of a limb's end to its target (GEVH D.3.21, D.3.22, D.3.24). */
 export type MotionMode = 'joints' | 'line' | 'velocity';
 
-/** One manipulator. */
+/** State of one manipulator. */
 export interface Limb {
   lead: DriveMode;
   /** Target in EML's world coordinates: units, x left, y up, z back. */
@@ -74,7 +74,7 @@ export interface State {
   look: Look;
 }
 
-/** As many layers as the page offers; EML allows 64. */
+/** Maximum number of layers that the page offers; EML allows 64. */
 export const MAX_LAYERS = 6;
 
 export const track = (clip: string, rest: Partial<Track> = {}): Track => ({ clip, style: 'loop', times: 1, speed: 1, weight: 1, on: true, ...rest });

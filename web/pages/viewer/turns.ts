@@ -14,7 +14,7 @@ export function toPlace({ metresPerUnit }: Pick<PoseNow, 'metresPerUnit'>, [x, y
   return [tenth(x), tenth(y), tenth(-z)];
 }
 
-/** Yaw, pitch and roll in EML's degrees of a frame with these axes: roll turns first, then pitch, then yaw (`Units::angles` in `crate/player`). */
+/** Returns yaw, pitch and roll in EML's degrees of a frame with these axes: roll turns first, then pitch, then yaw (`Units::angles` in `crate/player`). */
 export function anglesOf([x, y, z]: readonly [Vector, Vector, Vector]): Vector3 {
   const degrees = (radians: number): number => Math.round((radians * 180) / Math.PI) || 0;
   const level = Math.hypot(z[0], z[2]);
@@ -35,10 +35,10 @@ const BONES: Readonly<Record<LimbName, readonly string[]>> = {
 /** Returns the current bones of a limb, as far as the figure has them. */
 export const bonesOf = (pose: PoseNow, name: LimbName): PosedJoint[] => BONES[name].flatMap((bone) => pose.joints.find((joint) => joint.name === `bone_${bone}`) ?? []);
 
-/** The joint at the end of a limb as it is now. */
+/** Returns the current joint at the end of a limb. */
 export const endOf = (pose: PoseNow, name: LimbName): PosedJoint | undefined => bonesOf(pose, name).at(-1);
 
-/** The target that a limb is at now. Feet are sent flat: their joint's frame leans with the instep. */
+/** Returns the target at which a limb is now. Feet are set flat: their joint's frame leans with the instep. */
 export function targetNow(pose: PoseNow, name: LimbName): { place: Vector3; angles: Vector3 } | undefined {
   const end = endOf(pose, name);
   if (end === undefined) return undefined;

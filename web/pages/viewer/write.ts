@@ -10,7 +10,7 @@ export const LENGTH_SECS = 600;
 /** Time for a limb to reach its target, seconds. */
 const MOVE_SECS = 0.6;
 
-/** The pace that a track had before its speed changed, if it did. */
+/** Function that returns the speed of a track before it changed; undefined if it did not change. */
 type SpeedOf = (track: Track) => SpeedChange | undefined;
 
 /** Writes the clauses of one track of a player: animation, speed, and audibility. */
@@ -104,7 +104,7 @@ function geometry(look: Look): string[] {
   return Object.values(attributes).filter((value) => value !== undefined).length > 1 ? [tag('body-configure-geometry', attributes)] : [];
 }
 
-/** A whole script that sets everything at its beginning, but for speeds that have changed since. */
+/** Writes a complete script that sets everything at its beginning, except for speeds that have changed since. */
 export function write(state: State, paceOf: SpeedOf = () => undefined): string {
   const clauses = [...animations(state, paceOf), ...LIMBS.flatMap((name) => manipulator(name, state.limbs[name])), ...geometry(state.look), tag('null', { time: LENGTH_SECS })];
   const extended = clauses.some((clause) => clause.includes(' r:'));
