@@ -1,6 +1,6 @@
 //! Visible parts of a figure, for inspection (GEVH D.3.4).
 
-/// Fill mode in which a surface is rendered.
+/// Way in which the figure's surface is rendered: solid, by its edges or by its points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fill {
     /// The surface.

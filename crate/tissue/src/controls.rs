@@ -20,7 +20,8 @@ pub struct Jaw {
 
 impl Jaw {
     /// Minimum and maximum of pitch and yaw, radians, and of the slide forwards and downwards,
-    /// metres. Designed: an adult's jaw opens by some 30° and slides by a centimetre at most.
+    /// metres. Designed for speech and expression, within an adult's limits of some 30° and a
+    /// centimetre.
     pub const RANGES: [[f64; 2]; 4] = [[0.0, 0.35], [-0.1, 0.1], [-0.004, 0.008], [0.0, 0.004]];
 
     /// Maximum slide of the jaw's joint from its rest position, metres.

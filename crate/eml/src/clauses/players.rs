@@ -180,7 +180,7 @@ record! {
 /// Clause that changes the stack of animations on tracks of a player (GEVH D.3.17).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DeterministicPrimitive {
-    /// Operation on the stack: push, exchange, pop or clear.
+    /// Operation on the player's stack of animations: push, exchange, pop or clear (GEVH D.3.17).
     pub primitive: PrimitiveKind,
     /// Player; none: the first one.
     pub player: Option<String>,

@@ -67,7 +67,7 @@ pub(super) fn scan<'a>(
         match value.marks {
             ValueQuotes::Quotes => {}
             ValueQuotes::Backticks => {
-                unquoted(Span::from_offsets(start + quote, start + value.past), sink)
+                unquoted(Span::from_offsets(start + quote, start + value.past), sink);
             }
             ValueQuotes::None => unquoted(
                 name_span.to(Span::from_offsets(start + quote, start + value.past)),

@@ -39,7 +39,7 @@ impl<'d> Requirements<'d> {
             match Requirement::from_clause(clause) {
                 Requirement::Nothing => {}
                 Requirement::BodyAnimation(name) => {
-                    add_once(&mut needs.body_animations, name, span)
+                    add_once(&mut needs.body_animations, name, span);
                 }
                 Requirement::LoadedParameters(name) => needs.add_parameters(name, span),
                 Requirement::PlayedParameters(name) => played.push((name, span)),

@@ -124,11 +124,7 @@ fn girdle(frame: &Frame, side: Side) -> Vec<MeshPart> {
 fn arm(frame: &Frame, side: Side) -> Vec<MeshPart> {
     let k = frame.scale;
     let [shoulder, elbow, wrist] = ["shoulder", "elbow", "wrist"].map(|n| Bone::on(side, n));
-    let (a, b, c) = (
-        frame.position_of(shoulder),
-        frame.position_of(elbow),
-        frame.position_of(wrist),
-    );
+    let [a, b, c] = [shoulder, elbow, wrist].map(|bone| frame.position_of(bone));
     let keep = |s: Solid| s.mapped(|p| frame.inside(p, Regions::UPPER));
     // Across the elbow's hinge: up and down with the arm stretched out sideways.
     let along = (c - b).try_normalize().unwrap_or(DVec3::X);

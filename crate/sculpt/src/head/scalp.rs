@@ -45,7 +45,8 @@ pub struct Proportions {
     pub half_breadth: f64,
     /// Height of the vertex.
     pub vertex: f64,
-    /// Depth of the menton below the tragions, positive.
+    /// Height of the tragions (notches in front of the ears) above the menton (lowest point of the
+    /// chin), metres, positive.
     pub menton: f64,
     /// Reach of the forehead to the front.
     pub front: f64,

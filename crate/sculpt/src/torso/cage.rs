@@ -117,7 +117,7 @@ pub struct Cage {
     pub shell: Shell,
     /// Tag of each face.
     pub tags: Vec<Tag>,
-    /// Key of each point.
+    /// Key of each point: its place in the rings of the torso, arms and legs.
     pub keys: Vec<Key>,
     /// Heights of the trunk's rows, metres.
     heights: Vec<f64>,

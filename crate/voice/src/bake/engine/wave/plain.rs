@@ -140,7 +140,7 @@ fn chunks(bytes: &[u8]) -> Result<(Option<&[u8]>, Option<Data<'_>>)> {
         let own = usize::try_from(length).ok().and_then(|n| rest.get(..n));
         match name {
             b"data" if data.is_none() => {
-                data = Some(Data::Delimited(own.context("it is cut off")?))
+                data = Some(Data::Delimited(own.context("it is cut off")?));
             }
             b"fmt " if form.is_none() => form = Some(own.context("it is cut off")?),
             b"ds64" => {
