@@ -149,8 +149,8 @@ test.describe('in one visit', () => {
     await page.keyboard.press('Enter');
     await expect(page.getByRole('region', { name: 'Mole 2' })).toBeVisible();
     const marked = await picture(page);
-    await press(page, 'Take scar 1 away');
-    await press(page, 'Take mole 1 away');
+    await press(page, 'Remove scar 1');
+    await press(page, 'Remove mole 1');
     await expect.poll(() => picture(page)).not.toBe(marked);
     await expect(page.getByRole('region', { name: 'Mole 1' })).toBeHidden();
     await press(page, 'Undo');
