@@ -113,7 +113,7 @@ test('edits, what was kept, and errors of the model', async ({ stage }) => {
   expect(seen.more).toBeCloseTo(0.5, 6);
   expect(seen.held).toBeCloseTo(0.2, 4);
   expect(seen.isSame).toBe(true);
-  expect(seen.problems.map((p) => /glow|beak|no face|no face of this pack|finite|together/.test(p))).toEqual([true, true, true, true, true, true]);
+  expect(seen.problems.map((p) => /glow|beak|no face|not a face of this pack|finite|together/.test(p))).toEqual([true, true, true, true, true, true]);
   expect(seen.pack.segments.length).toBe(22);
   // Table 5.2, and the course of a life.
   expect(new Set(seen.pack.attributes.filter((a) => a.group !== 'life').map((a) => a.name)).size).toBe(49);
