@@ -184,8 +184,8 @@ test.describe('in one visit', () => {
     const held = [0, 1].map((value) => ({ part: 'shape', name: 'weight', value, segments: [] }));
     const faults: [unknown, RegExp][] = [
       [{ kind: 'hold', held }, /weight/],
-      [{ kind: 'look', what: 'x', look: { hair: { from: 'https://example.com/x.glb' } } }, /Step 2: its hair, or what is worn, is none/],
-      [{ kind: 'marks', what: 'x', marks: [{ kind: 'scar', size: 1e9 }] }, /Step 2: a mark is none/],
+      [{ kind: 'look', what: 'x', look: { hair: { from: 'https://example.com/x.glb' } } }, /Step 2: its hair or an accessory is unknown/],
+      [{ kind: 'marks', what: 'x', marks: [{ kind: 'scar', size: 1e9 }] }, /Step 2: a mark is unknown/],
       [{ kind: 'import', index: 10 ** 9, part: 'both', region: {} }, /could not be opened/],
     ];
     for (const [act, told] of faults) {
