@@ -343,7 +343,7 @@ test("the browser's voice follows pause, seek, speed and mute", async ({ stage, 
 test('with no voice at all, or none of the language, the captions tell the story', async ({ stage, page }) => {
   await page.addInitScript(speakers, { voices: [{ name: 'Max', lang: 'de-DE' }], msec: 60 });
   await openSilent(stage);
-  expect((await missing(stage))[0]).toContain('told in captions');
+  expect((await missing(stage))[0]).toContain('captions show its text');
   await stage.play();
   await page.waitForFunction(() => window.record.events.some((e) => e.type === 'word'));
   expect(await page.evaluate(() => window.said)).toEqual([]);
