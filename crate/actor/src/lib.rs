@@ -15,6 +15,7 @@
 mod actor;
 pub mod animation;
 pub mod articulation;
+mod discourse;
 pub mod emotion;
 pub mod face;
 mod facial_behaviour;
@@ -32,6 +33,7 @@ mod performance;
 
 pub use actor::{Actor, EvaluationReport};
 pub use animation::{Library, PlayerScript, Players};
+pub use discourse::{Discourse, Mention, RoleSpan, TensionKey};
 pub use emotion::{Affect, EmotionSpan, EmotionTrack};
 pub use face::FaceRig;
 pub use gesture::{ArmScript, GestureStroke, HandKey, TimeSpan};

@@ -4,6 +4,7 @@ use raconteur_base::{DVec3, Side};
 use raconteur_speech::TimedUtterance;
 
 use crate::animation::{Library, PlayerScript};
+use crate::discourse::Discourse;
 use crate::emotion::EmotionSpan;
 use crate::gesture::ArmScript;
 use crate::limb::Build;
@@ -30,6 +31,8 @@ pub struct Performance {
     pub speech: Vec<TimedUtterance>,
     /// Emotions, in any order.
     pub emotions: Vec<EmotionSpan>,
+    /// Discourse structure of the speech.
+    pub discourse: Discourse,
     /// Commands to control parameters.
     pub parameters: ParameterScript,
     /// Seed of all unscripted motion.
@@ -56,6 +59,7 @@ impl Default for Performance {
             library: Library::default(),
             speech: Vec::new(),
             emotions: Vec::new(),
+            discourse: Discourse::default(),
             parameters: ParameterScript::default(),
             seed: 0,
             motion_amount: 1.0,

@@ -1,7 +1,9 @@
 //! Preparation of an actor for all known parts of a performance.
 
 use raconteur_actor::animation::PlayerCommand;
-use raconteur_actor::{Actor, ArmScript, Library, ParameterScript, Performance, PlayerScript};
+use raconteur_actor::{
+    Actor, ArmScript, Discourse, Library, ParameterScript, Performance, PlayerScript,
+};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_stage::{FramingMargin, Gesture, TakenSpace};
@@ -144,6 +146,7 @@ impl ActorBuilder<'_> {
                     .cloned()
                     .collect(),
             },
+            discourse: Discourse::default(),
             library: self.library.clone(),
             arms: Side::BOTH.map(|side| ArmScript {
                 strokes: plans
