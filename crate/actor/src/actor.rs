@@ -16,8 +16,8 @@ use crate::face::FaceRig;
 use crate::facial_behaviour::FacialBehaviour;
 use crate::gesture::contact::Contact;
 use crate::gesture::smoothing::JumpSmoothing;
-use crate::gesture::{ArmPlan, ArmScript, IdleSettings};
-use crate::idle::stance::Stance;
+use crate::gesture::{ArmPlan, ArmScript, IdleSettings, RestSchedule};
+use crate::idle::stance::{Stance, Support};
 use crate::idle::trunk::{SpeechRhythm, TrunkMotion};
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::{ARM_BONES, ArmRig, ArmSolution, BodySpace};
@@ -25,6 +25,7 @@ use crate::lips::{LipTrack, MouthTargets};
 use crate::manipulator::Manipulators;
 use crate::nonverbal::Manner;
 use crate::performance::Performance;
+use crate::posture::{BodyPosture, Heading, Posture, Vigour, sentence_spans};
 
 /// Results that [`Actor`] reports in addition to the pose of a figure at one time: arm solutions,
 /// wrist errors, driven limbs, mouth targets and face controls.
@@ -76,6 +77,8 @@ pub struct Actor {
     space: BodySpace,
     contact: Contact,
     stance: Stance,
+    heading: Heading,
+    posture: Posture,
     trunk: TrunkMotion,
     rhythm: SpeechRhythm,
     feeling: FacialBehaviour,
@@ -88,6 +91,9 @@ pub struct Actor {
     welcomes: bool,
 }
 
+/// Middle of the eyes from the skull's joint in the zero pose, metres.
+const EYES_FROM_SKULL_M: DVec3 = DVec3::new(0.0, 0.07, 0.08);
+
 /// Players and manipulators of one performance.
 #[derive(Clone, Debug)]
 struct BodyMotion {
@@ -95,12 +101,18 @@ struct BodyMotion {
     manipulators: Manipulators,
 }
 
-/// Returns the arm scripts in the axes of a figure that the performance moves about.
-fn record_visited(performance: &Performance) -> [ArmScript; 2] {
+/// Returns the arm scripts in the axes of a figure that the performance moves about, at its first
+/// place and heading.
+fn scripts_in_figure(performance: &Performance, heading: &Heading) -> [ArmScript; 2] {
     let way = performance.manipulators.figure_from_world();
-    performance.arms.each_ref().map(|script| match &way {
-        Some(way) => script.from_viewpoint(way),
-        None => script.clone(),
+    performance.arms.each_ref().map(|script| {
+        script.from_viewpoint(|t| {
+            let carried = heading.carry(t).inverse();
+            match &way {
+                Some(way) => carried * way(t),
+                None => carried,
+            }
+        })
     })
 }
 
@@ -147,16 +159,38 @@ impl Actor {
         let rigs = ArmRig::both(skeleton, build);
         let space = *rigs[0].space();
         let way = &performance.manipulators;
-        let seen = (!way.moves.is_empty()).then(|| record_visited(performance));
-        let arms = seen.as_ref().unwrap_or(&performance.arms);
         let is_moved = !(way.moves.is_empty()
             && way.commands.is_empty()
             && performance.players.commands.is_empty());
+        let discourse = performance.discourse.usable();
+        let skull = world_from_bone(skeleton, &Pose::zero(), Bone::Skull);
+        let eyes = skull.translation + EYES_FROM_SKULL_M;
+        let feeling = FacialBehaviour::new(performance, &discourse, &manner, eyes);
+        let vigour = Vigour {
+            discourse: &discourse,
+            feeling: &feeling,
+            amount,
+        };
+        let sentences = sentence_spans(&performance.speech, &discourse.paragraphs);
+        let lumbar = world_from_bone(skeleton, &Pose::zero(), Bone::Lumbar).translation;
+        let heading = Heading::new(
+            &sentences,
+            &discourse.roles,
+            &vigour,
+            (skeleton.scale(), DVec3::new(0.0, 0.0, lumbar.z)),
+            (seed, !is_moved),
+        );
+        let arms = scripts_in_figure(performance, &heading);
+        let rests = Arc::new(RestSchedule::new(&arms, &life));
+        let plans = rigs.each_ref().map(|rig| {
+            let script = &arms[rig.side().index()];
+            let body = (skeleton, Arc::clone(rig));
+            ArmPlan::with_rests(script, body, &life, Arc::clone(&rests))
+        });
         let mut actor = Self {
-            plans: rigs.each_ref().map(|rig| {
-                let script = &arms[rig.side().index()];
-                ArmPlan::new(script, skeleton, Arc::clone(rig), &life)
-            }),
+            posture: Posture::new(&plans, &sentences, &vigour, seed),
+            heading,
+            plans,
             calming: Default::default(),
             // Manipulators start from the pose of all other layers, so they come last.
             motion: is_moved.then(|| BodyMotion {
@@ -176,12 +210,12 @@ impl Actor {
             stance: Stance::new(skeleton, build.sex, seed),
             trunk: TrunkMotion { seed },
             rhythm: SpeechRhythm::new(&spans),
-            feeling: FacialBehaviour::new(performance, &manner),
+            feeling,
             lips: speech
                 .iter()
                 .map(|u| (u.start_secs, LipTrack::new(&u.utterance.phones)))
                 .collect(),
-            skull_zero: rotation_of(&world_from_bone(skeleton, &Pose::zero(), Bone::Skull)),
+            skull_zero: rotation_of(&skull),
             seed,
             amount,
             listener_in_world: performance.listener_in_world,
@@ -254,6 +288,17 @@ impl Actor {
     pub fn world_from_figure(&self, time_secs: f64) -> Option<DAffine3> {
         let motion = self.motion.as_ref()?;
         motion.manipulators.world_from_figure(time_secs)
+    }
+
+    /// Returns world from gesture space at a story time: scripted places relative to the speaker
+    /// follow where the figure stands and faces.
+    #[must_use]
+    pub fn world_from_gestures(&self, time_secs: f64) -> DAffine3 {
+        let carried = self.heading.carry(time_secs);
+        match self.world_from_figure(time_secs) {
+            Some(moved) => moved * carried,
+            None => carried,
+        }
     }
 
     /// Evaluates the figure at a story time into a pose and morph weights (in the order of the
@@ -343,14 +388,31 @@ impl Actor {
         }
     }
 
-    /// Poses legs and spine in their stance and sway, on a zero pose.
+    /// Returns the contribution of posture at a time.
+    fn posture(&self, t: f64) -> BodyPosture {
+        let turn_rad = self.heading.turn_rad(t);
+        self.posture
+            .sample(t, turn_rad, &self.feeling.affect(t), self.amount)
+    }
+
+    /// Poses legs and spine in their stance, sway and posture, on a zero pose.
     fn trunk(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) {
         *pose = Pose::zero();
-        self.stance.apply(skeleton, t, self.amount, pose);
-        let weight = self.stance.weight_at(t);
+        let posture = self.posture(t);
+        let (place, heading_rad) = self.heading.body(t);
+        let weight = self.heading.weight(t, self.stance.weight_at(t));
+        let support = Support {
+            weight,
+            place,
+            heading_rad,
+            pelvis: posture.pelvis,
+            feet: self.heading.feet(t),
+        };
+        self.stance
+            .stand(skeleton, t, (self.amount, &support), pose);
         let breathing = self.feeling.breath(t);
-        let [lumbar, thoracic] =
-            (self.trunk).turns(&self.rhythm, t, weight, self.amount, &breathing);
+        let with = (&breathing, &posture);
+        let [lumbar, thoracic] = (self.trunk).turns(&self.rhythm, t, weight, self.amount, with);
         pose.set(Bone::Lumbar, lumbar);
         pose.set(Bone::Thoracic, thoracic);
     }

@@ -30,6 +30,8 @@ pub mod nonverbal;
 pub mod palm;
 pub mod parameters;
 mod performance;
+mod posture;
+mod superposition;
 
 pub use actor::{Actor, EvaluationReport};
 pub use animation::{Library, PlayerScript, Players};

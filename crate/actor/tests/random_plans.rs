@@ -172,6 +172,9 @@ fn wrists_are_at_their_keys_at_the_time_of_the_key() {
             {
                 stage.evaluate(&actor, key.time_secs);
                 let wanted = key.wrist_in_world.unwrap_or_default();
+                let wanted = actor
+                    .world_from_gestures(key.time_secs)
+                    .transform_point3(wanted);
                 let shoulder = if side == Side::Left {
                     Bone::LShoulder
                 } else {

@@ -22,20 +22,23 @@ impl Actor {
     ) -> ([ArmSolution; 2], [DVec3; 2], [f64; 2]) {
         let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
         let targets = self.plans.each_ref().map(|plan| plan.sample(t));
-        // A resting hand moves with the trunk; a gesturing hand is fixed in the world.
+        // A resting hand moves with the trunk, a gesturing hand with the heading of the figure.
         let moved = thorax * self.rigs[0].world_from_thorax_zero().inverse();
         let turned = rotation_of(&moved);
+        let carried = [self.heading.carry(t), moved];
         let mut hands =
-            Side::BOTH.map(|side| self.place(side, &targets[side.index()], &moved, turned));
+            Side::BOTH.map(|side| self.place(side, &targets[side.index()], &carried, turned));
+        let shrugs = self.posture(t).shrug;
         let breathing = self.feeling.breath(t);
         let solve = |side: Side, hand: &TargetHand| {
             let i = side.index();
             let goal = ArmGoal {
                 wrist_in_world: hand.wrist,
                 hand_in_world: Some(hand.hand),
-                shrug_rad: self
-                    .trunk
-                    .shrug(&self.rhythm, t, i as u64, self.amount, &breathing),
+                shrug_rad: shrugs[i]
+                    + self
+                        .trunk
+                        .shrug(&self.rhythm, t, i as u64, self.amount, &breathing),
             };
             self.rigs[i].solve(&thorax, &goal)
         };
@@ -78,14 +81,14 @@ impl Actor {
         &self,
         side: Side,
         target: &HandTarget,
-        moved: &DAffine3,
+        [headed, moved]: &[DAffine3; 2],
         turned: DQuat,
     ) -> TargetHand {
-        let carried = target
-            .wrist
+        let carried = headed
+            .transform_point3(target.wrist)
             .lerp(moved.transform_point3(target.wrist), target.rest_share);
         let in_body = moved.inverse().transform_point3(carried);
-        let hand = DQuat::IDENTITY.slerp(turned, target.hand_rest_share) * target.hand;
+        let hand = rotation_of(headed).slerp(turned, target.hand_rest_share) * target.hand;
         let mut placed = TargetHand {
             wrist: self.space.project_outside(in_body),
             hand: (turned.inverse() * hand).normalized(),

@@ -3,7 +3,7 @@
 use raconteur_base::{DAffine3, DQuat, DVec3, Length};
 use raconteur_body::{Bone, Pose, Skeleton};
 
-use super::Actor;
+use super::{Actor, EYES_FROM_SKULL_M};
 use crate::animation::AnimatedPose;
 use crate::face::FaceRig;
 use crate::idle::gaze::{HEAD_SHARE, angles_of, eye_towards};
@@ -33,8 +33,7 @@ impl Actor {
         });
         let head = world_from_bone(skeleton, pose, Bone::Skull);
         let axes = rotation_of(&head) * self.skull_zero.inverse();
-        // The middle of the eyes is some 7 cm above the skull bone's joint.
-        let eyes = head.translation + axes * DVec3::new(0.0, 0.07, 0.08);
+        let eyes = head.translation + axes * EYES_FROM_SKULL_M;
         let [yaw, pitch] = angles_of(axes.inverse() * (listener - eyes));
         let motion = self.trunk.head_motion(&self.rhythm, t, self.amount);
         let mut pitch = (HEAD_SHARE * pitch).clamp(-0.4, 0.4) + motion.x;

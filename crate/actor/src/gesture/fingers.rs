@@ -33,17 +33,17 @@ struct FingerNode {
 }
 
 impl FingerNode {
-    fn angles(&self) -> HandAngles {
-        self.shape.unwrap_or_else(RestPostures::shape)
+    fn angles(&self, rest: &HandAngles) -> HandAngles {
+        self.shape.unwrap_or(*rest)
     }
 }
 
 impl FingerTrack {
-    /// Returns the finger angles at a time (relaxed before the first key) and the share of the rest
-    /// posture in them, 0 to 1.
-    pub(super) fn sample(&self, time_secs: f64) -> (HandAngles, f64) {
+    /// Returns the finger angles at a time (those at rest before the first key) and the share of
+    /// the rest posture in them, 0 to 1.
+    pub(super) fn sample(&self, time_secs: f64, rest: &HandAngles) -> (HandAngles, f64) {
         let Some((i, s, _)) = piece_at(&self.times, time_secs) else {
-            return (RestPostures::shape(), 1.0);
+            return (*rest, 1.0);
         };
         let (from, to) = (&self.nodes[i], &self.nodes[i + 1]);
         let m = match from.profile {
@@ -52,7 +52,7 @@ impl FingerTrack {
         };
         let share = |node: &FingerNode| f64::from(u8::from(node.shape.is_none()));
         let rest_share = share(from) + (share(to) - share(from)) * m.clamp(0.0, 1.0);
-        (from.angles().lerp(&to.angles(), m), rest_share)
+        (from.angles(rest).lerp(&to.angles(rest), m), rest_share)
     }
 
     /// Returns the last key; rest when there is none.
@@ -78,7 +78,9 @@ impl FingerTrack {
         };
         let mut time_secs = time_secs;
         if let (Some(t), Some(last)) = (self.times.last(), self.nodes.last_mut()) {
-            let turn_rad = last.angles().greatest_difference(&node.angles());
+            let turn_rad = last
+                .angles(&RestPostures::shape())
+                .greatest_difference(&node.angles(&RestPostures::shape()));
             time_secs = time_secs.max(t + turn_rad / MAX_FINGER_SPEED_RAD_S);
             last.profile = profile;
         }

@@ -15,6 +15,7 @@ mod phrase;
 mod plan;
 mod planner;
 mod rest;
+mod rest_schedule;
 pub(crate) mod smoothing;
 mod tracks;
 
@@ -25,6 +26,7 @@ use raconteur_body::hand_shape::HandAngles;
 pub use plan::{ArmPlan, HandState, HandTarget};
 pub use planner::PlannedKey;
 pub use rest::{RestPostures, RestingHand};
+pub use rest_schedule::{RestPosture, RestSchedule, RestSpot};
 
 /// Key of a gesture: wrist position, hand rotation and hand shape of one hand at one time; an
 /// absent feature is not constrained.

@@ -12,7 +12,7 @@ use super::fingers::FingerTrack;
 use super::path::reach_secs;
 use super::planner::{PlannedKey, Planner};
 use super::tracks::{HandTrack, WristTrack, piece_at};
-use super::{ArmScript, IdleSettings, RestPostures};
+use super::{ArmScript, IdleSettings, RestPostures, RestSchedule};
 use crate::ArmRig;
 
 /// Target of a hand at one time: wrist, rotation, finger angles, and the share of rest in each.
@@ -74,7 +74,21 @@ impl ArmPlan {
         rig: Arc<ArmRig>,
         life: &IdleSettings,
     ) -> Self {
-        let rest = RestPostures::new(skeleton, &rig, life);
+        let mut scripts = <[ArmScript; 2]>::default();
+        scripts[rig.side().index()].clone_from(script);
+        let rests = Arc::new(RestSchedule::new(&scripts, life));
+        Self::with_rests(script, (skeleton, rig), life, rests)
+    }
+
+    /// Plans one arm of a figure that rests by a schedule for both arms.
+    #[must_use]
+    pub fn with_rests(
+        script: &ArmScript,
+        (skeleton, rig): (&Skeleton, Arc<ArmRig>),
+        life: &IdleSettings,
+        rests: Arc<RestSchedule>,
+    ) -> Self {
+        let rest = RestPostures::new(skeleton, &rig, life, rests);
         let planned = Planner::new(&rig, &rest, life.amount).plan(script);
         let mut paces: Vec<SpeedSpan> = script
             .strokes
@@ -117,7 +131,7 @@ impl ArmPlan {
         let t = self.paced(time_secs);
         let (wrist, rest_share) = self.wrist.sample(&self.rig, t, rest.wrist);
         let (hand, hand_rest_share) = self.hand.sample(&self.rig, t, &rest, wrist);
-        let (shape, finger_rest_share) = self.fingers.sample(t);
+        let (shape, finger_rest_share) = self.fingers.sample(t, &self.rest.fingers(time_secs));
         HandTarget {
             wrist,
             hand,

@@ -1,8 +1,6 @@
-//! Rest positions of the hands.
-//!
-//! Two postures: arms hanging at the sides, and hands held loosely in front of the belly. Both arms
-//! follow one seeded schedule, so that they change simultaneously; the rest position is therefore a
-//! function of time.
+//! Rest postures of the hands on a figure: where each of them is, and the way from one to another.
+
+use std::sync::Arc;
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::{DQuat, DVec3, Side, noise};
@@ -10,16 +8,21 @@ use raconteur_body::hand_shape::HandAngles;
 use raconteur_body::{HandShape, Skeleton};
 
 use super::IdleSettings;
+use super::rest_schedule::{RestSchedule, RestSpot};
 use crate::{ArmRig, palm};
 
-/// Minimum duration of a rest posture, seconds. Designed.
-const KEEP_SECS: f64 = 13.0;
-/// Time for changing from one posture to the other, seconds. Designed.
-const CHANGE_SECS: f64 = 1.5;
-/// Share of intervals spent with the arms hanging.
-const HANGING_SHARE: f64 = 0.4;
-const RANDOM_POSTURE: u64 = 0x5e57;
 const RANDOM_DRIFT: u64 = 0xd21f7;
+/// Detour of the dominant hand on its way to or from the other hand, metres. Designed: more than
+/// the thickness of a hand.
+const DETOUR_M: f64 = 0.07;
+/// Share of a change of posture that each part of a way with one and with two places between takes.
+/// The parts overlap, so that the hand does not stop. Designed.
+const PART_SHARES: [f64; 2] = [0.64, 0.5];
+/// Time that a place between adds to a change, share of its duration. Designed.
+const PART_LONGER: f64 = 0.5;
+/// Hand shapes of rests: flat with fingers together, and a loose fist.
+const FLAT: u8 = 1;
+const LOOSE_FIST: u8 = 57;
 
 /// Pose of a resting hand, relative to the trunk in the zero pose.
 #[derive(Clone, Copy, Debug)]
@@ -30,13 +33,21 @@ pub struct RestingHand {
     pub hand: DQuat,
 }
 
-/// Rest postures of one arm of a figure, arms hanging or hands in front of the belly, with the
-/// seeded schedule of changes between them.
+/// Place, rotation and fingers of a hand in one rest posture.
+#[derive(Clone, Copy, Debug)]
+struct SpotPose {
+    at: RestingHand,
+    shape: HandAngles,
+}
+
+/// Rest postures of one arm of a figure with the schedule of changes between them.
 #[derive(Clone, Debug)]
 pub struct RestPostures {
-    hanging: RestingHand,
-    in_front: RestingHand,
+    poses: [SpotPose; RestSpot::ALL.len()],
+    schedule: Arc<RestSchedule>,
     ready: DVec3,
+    /// Place on the way behind the back, and on the way to folded arms.
+    via: [DVec3; 2],
     side: Side,
     life: IdleSettings,
 }
@@ -44,48 +55,38 @@ pub struct RestPostures {
 impl RestPostures {
     /// Adapts the rest postures to the measures of a figure.
     #[must_use]
-    pub fn new(skeleton: &Skeleton, rig: &ArmRig, life: &IdleSettings) -> Self {
+    pub fn new(
+        skeleton: &Skeleton,
+        rig: &ArmRig,
+        life: &IdleSettings,
+        schedule: Arc<RestSchedule>,
+    ) -> Self {
         let (side, space) = (rig.side(), rig.space());
         let scale = skeleton.scale();
-        let sign = side.sign();
-        let out = |x: f64, y: f64, z: f64| DVec3::new(x * sign, y, z);
-        let shoulder = rig.shoulder_in_world();
-        // Hanging: the elbow bent by some 25°, the hand a little before the thigh.
-        let outwards = (shoulder.x.abs() + 0.035 * scale)
-            .max(space.wrist_column_half_width_m() + 0.03 * scale);
-        let drop = rig.reach_m() * 0.955;
-        let hanging = DVec3::new(
-            sign * outwards,
-            shoulder.y - drop,
-            shoulder.z + 0.075 * scale,
-        );
         let waist = space.waist_m();
         let front = space.front_m(waist);
-        // In the front posture, the fingertips nearly meet, with the dominant hand slightly in
-        // front.
-        let nearer = if side == life.dominant { 0.02 } else { 0.0 };
-        let in_front = DVec3::new(
-            sign * 0.16 * scale,
-            waist - nearer * 0.3 * scale,
-            front + (0.055 + nearer) * scale,
-        );
-        let turn = |fingers, normal| {
-            palm::from_directions(side, fingers, normal).unwrap_or(DQuat::IDENTITY)
+        let measures = Measures {
+            side,
+            scale,
+            shoulder: rig.shoulder_in_world(),
+            reach: rig.reach_m(),
+            column: space.wrist_column_half_width_m(),
+            waist,
+            front,
+            hip_front: space.front_m(waist - 0.1 * scale),
+            chest_front: space.front_m(rig.shoulder_in_world().y - 0.22 * scale),
+            back: space.back_m(waist - 0.06 * scale),
+            is_dominant: side == life.dominant,
         };
         Self {
-            hanging: RestingHand {
-                wrist: hanging,
-                hand: turn(out(-0.04, -1.0, 0.16), out(-1.0, 0.0, -0.42)),
-            },
-            in_front: RestingHand {
-                wrist: in_front,
-                hand: turn(out(-0.82, -0.30, 0.46), out(-0.40, 0.35, -1.0)),
-            },
+            poses: RestSpot::ALL.map(|spot| measures.pose(spot)),
+            schedule,
             ready: DVec3::new(
-                sign * 0.16 * scale,
+                side.sign() * 0.16 * scale,
                 waist + 0.06 * scale,
                 front + 0.14 * scale,
             ),
+            via: measures.via(),
             side,
             life: *life,
         }
@@ -99,18 +100,22 @@ impl RestPostures {
         let sign = self.side.sign();
         let out = |x: f64, y: f64, z: f64| DVec3::new(x * sign, y, z);
         let hand = palm::from_directions(self.side, out(0.22, -0.72, 0.62), out(-0.62, 0.35, 0.62));
-        let open = RestingHand {
-            wrist: self.hanging.wrist + out(0.045, 0.085, 0.11) * scale,
-            hand: hand.unwrap_or(self.hanging.hand),
+        let hanging = self.poses[RestSpot::Hanging as usize];
+        let open = SpotPose {
+            at: RestingHand {
+                wrist: hanging.at.wrist + out(0.045, 0.085, 0.11) * scale,
+                hand: hand.unwrap_or(hanging.at.hand),
+            },
+            shape: Self::shape(),
         };
-        (self.hanging, self.in_front) = (open, open);
+        self.poses = [open; RestSpot::ALL.len()];
     }
 
     /// Returns the pose of the resting hand at a story time, relative to the trunk in the zero
     /// pose.
     #[must_use]
     pub fn sample(&self, time_secs: f64) -> RestingHand {
-        let s = self.front_share(time_secs);
+        let change = self.change(time_secs);
         let size = 0.004 * self.life.amount;
         let seed = self.life.seed ^ RANDOM_DRIFT;
         let drift = |id| size * noise::perlin(seed, id, 0.23 * time_secs);
@@ -121,10 +126,18 @@ impl RestPostures {
         };
         let k = 3 * side.index() as u64;
         let drift = DVec3::new(sign * drift(k), drift(k + 1), drift(k + 2));
+        let turn = minimum_jerk(change.share);
         RestingHand {
-            wrist: self.hanging.wrist.lerp(self.in_front.wrist, s) + drift,
-            hand: self.hanging.hand.slerp(self.in_front.hand, s),
+            wrist: change.place() + drift,
+            hand: change.from.at.hand.slerp(change.to.at.hand, turn),
         }
+    }
+
+    /// Returns the finger angles of the resting hand at a story time.
+    #[must_use]
+    pub fn fingers(&self, time_secs: f64) -> HandAngles {
+        let change = self.change(time_secs);
+        (change.from.shape).lerp(&change.to.shape, minimum_jerk(change.share))
     }
 
     /// Returns the place in front of the body from which gestures start and to which hands sink
@@ -140,26 +153,249 @@ impl RestPostures {
         *HandShape::RELAXED.angles()
     }
 
-    /// Returns the weight of the posture in front of the belly, 0 (arms hanging) to 1.
-    fn front_share(&self, time_secs: f64) -> f64 {
-        let posture = |bucket: i64| {
-            let u = noise::unit(self.life.seed, RANDOM_POSTURE, bucket);
-            if u < HANGING_SHARE { 0.0 } else { 1.0 }
-        };
-        // A story does not begin with a posture change; a less lively character holds a posture
-        // longer.
-        let phase = time_secs * self.life.amount + 0.4 * KEEP_SECS;
-        let bucket = (phase / KEEP_SECS).floor();
-        let since = (phase - bucket * KEEP_SECS) / self.life.amount.max(1e-6);
-        let bucket = bucket as i64;
-        // One arm follows the other by a tenth of a second.
-        let lag = if self.side == self.life.dominant {
-            0.0
+    /// Returns the change of posture in force at a time.
+    fn change(&self, time_secs: f64) -> PostureChange<'_> {
+        let (change, before) = self.schedule.at(self.side, time_secs);
+        let via = if before == change.to {
+            [None; 2]
         } else {
-            0.1
+            [before, change.to].map(|spot| self.via(spot))
         };
-        let s = minimum_jerk((since - lag) / CHANGE_SECS);
-        let before = posture(bucket.wrapping_sub(1));
-        before + (posture(bucket) - before) * s
+        let between = via.iter().flatten().count();
+        let secs = change.secs * (1.0 + PART_LONGER * between as f64);
+        PostureChange {
+            from: &self.poses[before as usize],
+            to: &self.poses[change.to as usize],
+            via,
+            detour: self.detour(before, change.to),
+            share: (time_secs - change.at_secs) / secs,
+        }
+    }
+
+    /// Returns the detour of a hand that passes the other one on its way, metres: the dominant hand
+    /// keeps to the outside.
+    fn detour(&self, before: RestSpot, after: RestSpot) -> DVec3 {
+        let behind = [before, after].contains(&RestSpot::Behind);
+        let meets = [before, after].iter().any(|spot| {
+            matches!(
+                spot,
+                RestSpot::Clasped | RestSpot::WristHeld | RestSpot::Folded
+            )
+        });
+        match (self.side == self.life.dominant, behind, meets) {
+            (true, true, _) => DVec3::NEG_Z * DETOUR_M,
+            (true, false, true) => DVec3::Z * DETOUR_M,
+            _ => DVec3::ZERO,
+        }
+    }
+
+    /// Returns the place by which a hand comes to a posture and leaves it, if not directly.
+    fn via(&self, spot: RestSpot) -> Option<DVec3> {
+        match spot {
+            RestSpot::Behind => Some(self.via[0]),
+            RestSpot::Folded => Some(self.via[1]),
+            _ => None,
+        }
+    }
+}
+
+/// Change from one rest posture to another at one time.
+struct PostureChange<'a> {
+    from: &'a SpotPose,
+    to: &'a SpotPose,
+    /// Places between.
+    via: [Option<DVec3>; 2],
+    /// Displacement in the middle of the way, metres.
+    detour: DVec3,
+    /// Progress; the change is under way between 0 and 1.
+    share: f64,
+}
+
+impl PostureChange<'_> {
+    /// Returns the place of the wrist, metres: a superposition of the parts of its way.
+    fn place(&self) -> DVec3 {
+        let (from, to) = (self.from.at.wrist, self.to.at.wrist);
+        let between = self.via.iter().flatten().count();
+        let s = self.share.clamp(0.0, 1.0);
+        let bump = 4.0 * s * (1.0 - s);
+        let detour = self.detour * (bump * bump);
+        let Some(part) = between.checked_sub(1).and_then(|i| PART_SHARES.get(i)) else {
+            return from.lerp(to, minimum_jerk(self.share)) + detour;
+        };
+        let apart = (1.0 - part) / between as f64;
+        let mut place = from;
+        let mut last = from;
+        let ends = self.via.iter().flatten().chain(core::iter::once(&to));
+        for (k, end) in ends.enumerate() {
+            let share = (self.share - apart * k as f64) / part;
+            place += (*end - last) * minimum_jerk(share);
+            last = *end;
+        }
+        place + detour
+    }
+}
+
+/// Measures of a figure that its rest postures depend on, metres.
+struct Measures {
+    side: Side,
+    scale: f64,
+    shoulder: DVec3,
+    reach: f64,
+    /// Half width of the column about the trunk that a wrist stays out of.
+    column: f64,
+    waist: f64,
+    /// Front of that column at the waist, at the hips and at the chest.
+    front: f64,
+    hip_front: f64,
+    chest_front: f64,
+    /// Back of that column.
+    back: f64,
+    is_dominant: bool,
+}
+
+impl Measures {
+    /// Returns the places on the way behind the back, beside the hip, and on the way to folded
+    /// arms, in front of the chest.
+    fn via(&self) -> [DVec3; 2] {
+        let sign = self.side.sign();
+        let scale = self.scale;
+        [
+            DVec3::new(
+                sign * (self.column + 0.075 * scale),
+                self.waist - 0.1 * scale,
+                self.shoulder.z - 0.04 * scale,
+            ),
+            DVec3::new(
+                sign * 0.17 * scale,
+                self.waist + 0.08 * scale,
+                self.front + (if self.is_dominant { 0.17 } else { 0.1 }) * scale,
+            ),
+        ]
+    }
+
+    /// Returns the pose of the hand in a rest posture. Directions are outwards, up, front. All
+    /// places are designed.
+    fn pose(&self, spot: RestSpot) -> SpotPose {
+        let (scale, sign) = (self.scale, self.side.sign());
+        // The dominant hand is in front of the other.
+        let nearer = if self.is_dominant { 1.0 } else { 0.0 };
+        let (wrist, fingers, normal, shape) = match spot {
+            // The elbow bent by some 25°, the hand a little before the thigh.
+            RestSpot::Hanging => (
+                [
+                    (self.shoulder.x.abs() + 0.035 * scale).max(self.column + 0.03 * scale),
+                    self.shoulder.y - 0.955 * self.reach,
+                    self.shoulder.z + 0.075 * scale,
+                ],
+                [-0.04, -1.0, 0.16],
+                [-1.0, 0.0, -0.42],
+                None,
+            ),
+            RestSpot::Belly => (
+                [
+                    0.16 * scale,
+                    self.waist - 0.006 * nearer * scale,
+                    self.front + (0.055 + 0.02 * nearer) * scale,
+                ],
+                [-0.82, -0.30, 0.46],
+                [-0.40, 0.35, -1.0],
+                None,
+            ),
+            RestSpot::Clasped => (
+                [
+                    0.095 * scale,
+                    self.waist - (0.085 - 0.02 * nearer) * scale,
+                    self.hip_front + (0.035 + 0.04 * nearer) * scale,
+                ],
+                [-0.72, -0.66, 0.22],
+                [-0.25, 0.1, -1.0],
+                None,
+            ),
+            RestSpot::Fingertips => (
+                [
+                    0.125 * scale,
+                    self.waist + 0.085 * scale,
+                    self.front + 0.1 * scale,
+                ],
+                [-0.66, 0.5, 0.42],
+                [-0.8, -0.5, -0.2],
+                Some(FLAT),
+            ),
+            RestSpot::WristHeld if self.is_dominant => (
+                [
+                    0.07 * scale,
+                    self.waist - 0.035 * scale,
+                    self.hip_front + 0.085 * scale,
+                ],
+                [-0.9, -0.36, 0.0],
+                [0.0, -0.2, -1.0],
+                None,
+            ),
+            RestSpot::WristHeld => (
+                [
+                    0.115 * scale,
+                    self.waist - 0.075 * scale,
+                    self.hip_front + 0.02 * scale,
+                ],
+                [-0.45, -0.88, 0.1],
+                [-0.5, 0.1, -0.9],
+                None,
+            ),
+            RestSpot::Hip => (
+                [
+                    self.column + 0.01 * scale,
+                    self.waist + 0.005 * scale,
+                    self.shoulder.z + 0.03 * scale,
+                ],
+                [-0.55, -0.6, 0.6],
+                [-0.8, 0.1, -0.6],
+                Some(LOOSE_FIST),
+            ),
+            RestSpot::Pocket => (
+                [
+                    self.column + 0.012 * scale,
+                    self.waist - 0.13 * scale,
+                    self.shoulder.z + 0.03 * scale,
+                ],
+                [-0.3, -0.93, 0.2],
+                [-0.92, 0.25, -0.3],
+                Some(FLAT),
+            ),
+            RestSpot::Behind => (
+                [
+                    (0.075 + 0.02 * nearer) * scale,
+                    self.waist - 0.06 * scale,
+                    self.back - (0.02 + 0.035 * nearer) * scale,
+                ],
+                [-0.8, -0.55, 0.1],
+                [-0.1, 0.15, -1.0],
+                None,
+            ),
+            // Each hand at the other arm's elbow, the dominant forearm in front.
+            RestSpot::Folded => (
+                [
+                    -0.04 * scale,
+                    self.shoulder.y - (0.25 - 0.03 * nearer) * scale,
+                    self.chest_front + (0.035 + 0.075 * nearer) * scale,
+                ],
+                [-0.94, 0.1, -0.3],
+                [-0.25, -0.25, -0.94],
+                None,
+            ),
+        };
+        let out = |[x, y, z]: [f64; 3]| DVec3::new(x * sign, y, z);
+        let hand = palm::from_directions(self.side, out(fingers), out(normal));
+        let shape = shape
+            .and_then(HandShape::get)
+            .map_or_else(RestPostures::shape, |shape| {
+                RestPostures::shape().lerp(shape.angles(), 0.7)
+            });
+        SpotPose {
+            at: RestingHand {
+                wrist: out(wrist),
+                hand: hand.unwrap_or(DQuat::IDENTITY),
+            },
+            shape,
+        }
     }
 }

@@ -20,4 +20,11 @@ pub(crate) mod stream {
     pub(crate) const THINK: u64 = 0x1C0;
     pub(crate) const LICK: u64 = 0x1D0;
     pub(crate) const LISTEN: u64 = 0x1E0;
+    pub(crate) const STEP: u64 = 0x1F0;
+    pub(crate) const SHIFT: u64 = 0x200;
+    pub(crate) const ENGAGEMENT: u64 = 0x210;
+    pub(crate) const NOD: u64 = 0x220;
+    pub(crate) const POSTURE: u64 = 0x230;
+    pub(crate) const REST: u64 = 0x240;
+    pub(crate) const SECOND_HAND: u64 = 0x250;
 }

@@ -12,15 +12,16 @@ use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::limits::limits;
 use crate::limb::two_bone::TwoBone;
 use crate::limb::{LEG_BONES, Limb, Sex};
+use crate::posture::Turn;
 
 /// Mean time that the weight stays on one foot, seconds. Designed.
 const SHIFT_SECS: f64 = 9.0;
 /// Duration of a weight shift, seconds. Designed.
 const SHIFT_LENGTH_SECS: f64 = 1.8;
 /// Sideways travel of the pelvis to either side, for a stature of 1.7 m, metres. Designed.
-const SWAY_M: f64 = 0.022;
+const SWAY_M: f64 = 0.03;
 /// Tilt of the pelvis with it, radians: the side without weight sinks. Designed.
-const TILT_RAD: f64 = 0.022;
+const TILT_RAD: f64 = 0.035;
 /// Clearance for the knees: the pelvis is lowered by this from straight legs, metres. A knee bends
 /// by about 15° for 9 mm, so a small value suffices.
 const SINK_M: f64 = 0.0008;
@@ -31,6 +32,33 @@ pub struct Stance {
     legs: [Leg; 2],
     scale: f64,
     seed: u64,
+}
+
+/// Standing place of a figure at one time: weight, place and heading, pelvis and feet.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Support {
+    /// Weight, −1 on the right foot to 1 on the left.
+    pub(crate) weight: f64,
+    /// Displacement of the body on the floor, metres.
+    pub(crate) place: DVec3,
+    /// Turn of the body on the floor, radians.
+    pub(crate) heading_rad: f64,
+    /// Turn of the pelvis on the feet.
+    pub(crate) pelvis: Turn,
+    /// Transform of the floor under each foot, its lift, metres, and its pitch, radians.
+    pub(crate) feet: [(DAffine3, f64, f64); 2],
+}
+
+impl Default for Support {
+    fn default() -> Self {
+        Self {
+            weight: 0.0,
+            place: DVec3::ZERO,
+            heading_rad: 0.0,
+            pelvis: Turn::default(),
+            feet: [(DAffine3::IDENTITY, 0.0, 0.0); 2],
+        }
+    }
 }
 
 /// Measures of one leg of a figure that do not depend on the pose; solve its joints for a foot
@@ -82,35 +110,57 @@ impl Stance {
         0.8 * shift + 0.2 * noise::perlin(self.seed, stream::STANCE + 3, 0.19 * time_secs)
     }
 
-    /// Sways the pelvis and plants the feet. `amount` 0..1 scales the motion.
+    /// Sways the pelvis and plants the feet, without speech. `amount` 0..1 scales the motion.
     pub fn apply(&self, skeleton: &Skeleton, time_secs: f64, amount: f64, pose: &mut Pose) {
-        let weight = amount * self.weight_at(time_secs);
+        let support = Support {
+            weight: self.weight_at(time_secs),
+            ..Support::default()
+        };
+        self.stand(skeleton, time_secs, (amount, &support), pose);
+    }
+
+    /// Stands on its feet with the weight of `support`.
+    pub(crate) fn stand(
+        &self,
+        skeleton: &Skeleton,
+        time_secs: f64,
+        (amount, support): (f64, &Support),
+        pose: &mut Pose,
+    ) {
+        let weight = amount * support.weight;
         let forth = amount * noise::perlin(self.seed, stream::STANCE + 4, 0.13 * time_secs);
-        let tilt = DQuat::from_rotation_z(TILT_RAD * weight);
-        let turn = DQuat::from_rotation_y(0.02 * weight);
+        let Turn { lean, roll, yaw } = support.pelvis;
+        let tilt = DQuat::from_rotation_z(TILT_RAD * weight - roll) * DQuat::from_rotation_x(lean);
+        let turn = DQuat::from_rotation_y(0.02 * weight + support.heading_rad + yaw);
         let pelvis = Bone::Sacroiliac;
         let zero = skeleton.joints()[pelvis.index()].zero_rotation;
-        pose.root_offset_in_world += DVec3::new(SWAY_M * weight, 0.0, 0.006 * forth) * self.scale
+        let sway = DVec3::new(SWAY_M * weight, 0.0, 0.006 * forth) * self.scale;
+        let headed = DQuat::from_rotation_y(support.heading_rad);
+        let pelvis_at = skeleton.joints()[pelvis.index()].translation_in_parent;
+        pose.root_offset_in_world += support.place + headed * (sway + pelvis_at)
+            - pelvis_at
             - DVec3::Y * (SINK_M * amount * self.scale);
         pose.set(pelvis, (zero.inverse() * turn * tilt * zero).normalized());
 
+        let feet: [(DVec3, DQuat); 2] =
+            core::array::from_fn(|i| self.legs[i].foot(&support.feet[i]));
         // Sink until both legs reach their feet.
         let pelvis_in_world = world_from_bone(skeleton, pose, pelvis);
         let short = self
             .legs
             .iter()
-            .map(|leg| leg.shortage_m(&pelvis_in_world, leg.ankle_in_world.translation, 0.0))
+            .zip(&feet)
+            .map(|(leg, foot)| leg.shortage_m(&pelvis_in_world, foot.0, 0.0))
             .fold(0.0, f64::max);
         pose.root_offset_in_world.y -= short;
         let pelvis_in_world = DAffine3 {
             translation: pelvis_in_world.translation - DVec3::Y * short,
             ..pelvis_in_world
         };
-        for (leg, [hip, knee, ankle]) in self.legs.iter().zip(LEG_BONES) {
-            let foot = rotation_of(&leg.ankle_in_world);
-            let at = leg.ankle_in_world.translation;
-            // The knee stays directed forwards.
-            let [h, k, a] = leg.solve(&pelvis_in_world, at, foot, DVec3::Z);
+        for ((leg, (at, foot)), [hip, knee, ankle]) in self.legs.iter().zip(feet).zip(LEG_BONES) {
+            // The knee is directed as the foot is.
+            let ahead = foot * rotation_of(&leg.ankle_in_world).inverse() * DVec3::Z;
+            let [h, k, a] = leg.solve(&pelvis_in_world, at, foot, ahead);
             pose.set(hip, h);
             pose.set(knee, k);
             pose.set(ankle, a);
@@ -119,6 +169,17 @@ impl Stance {
 }
 
 impl Leg {
+    /// Returns the ankle's place and rotation, world, for the transform of the floor under the
+    /// foot, its lift, metres, and its pitch, radians.
+    fn foot(&self, (floor, lift_m, pitch_rad): &(DAffine3, f64, f64)) -> (DVec3, DQuat) {
+        let at = floor.transform_point3(self.ankle_in_world.translation) + DVec3::Y * *lift_m;
+        let turned = rotation_of(floor) * DQuat::from_rotation_x(*pitch_rad);
+        (
+            at,
+            (turned * rotation_of(&self.ankle_in_world)).normalized(),
+        )
+    }
+
     /// Measures one leg of a skeleton.
     pub(crate) fn new(skeleton: &Skeleton, side: Side, sex: Sex) -> Self {
         let zero = Pose::zero();

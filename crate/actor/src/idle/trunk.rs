@@ -6,6 +6,7 @@ use raconteur_base::{DQuat, DVec3, noise, ops};
 
 use super::stream;
 use crate::emotion::Breathing;
+use crate::posture::{BodyPosture, Turn};
 
 /// Breaths at rest, Hz (12 to 18 a minute is the adult norm).
 const BREATH_HZ: f64 = 0.25;
@@ -85,26 +86,36 @@ impl TrunkMotion {
     /// Returns the rotations of lumbar and thoracic spine, without the head's gaze. `weight` is the
     /// stance's, `amount` scales everything.
     #[must_use]
-    pub fn turns(
+    pub(crate) fn turns(
         &self,
         rhythm: &SpeechRhythm,
         time_secs: f64,
         weight: f64,
         amount: f64,
-        breathing: &Breathing,
+        (breathing, posture): (&Breathing, &BodyPosture),
     ) -> [DQuat; 2] {
         let n = |id: u64, hz: f64| noise::perlin(self.seed, stream::SPINE + id, hz * time_secs);
         let breath = self.breath(rhythm, time_secs, breathing);
         let lively = 0.6 + 0.4 * rhythm.speaking(time_secs);
         // The spine compensates the tilt of the pelvis, so that the head stays over the feet.
         let lean = amount * (0.012 * n(0, 0.23) * lively) + 0.012;
-        let roll = amount * (0.010 * n(1, 0.17) - 0.016 * weight);
+        let roll = amount * (0.010 * n(1, 0.17) - 0.024 * weight);
         let yaw = amount * (0.022 * n(2, 0.15) * lively - 0.01 * weight);
-        let lumbar = spine(lean, roll, yaw);
+        let Turn {
+            lean: l,
+            roll: r,
+            yaw: y,
+        } = posture.lumbar;
+        let lumbar = spine(lean + l, roll + r, yaw + y);
         let lean = amount * (0.010 * n(3, 0.29) * lively - 0.007 * breath) - 0.008;
-        let roll = amount * (0.007 * n(4, 0.31) - 0.016 * weight);
+        let roll = amount * (0.007 * n(4, 0.31) - 0.024 * weight);
         let yaw = amount * 0.016 * n(5, 0.21) * lively;
-        [lumbar, spine(lean, roll, yaw)]
+        let Turn {
+            lean: l,
+            roll: r,
+            yaw: y,
+        } = posture.thoracic;
+        [lumbar, spine(lean + l, roll + r, yaw + y)]
     }
 
     /// Returns the elevation of one shoulder, radians; `side_id` is 0 for left, 1 for right.

@@ -24,11 +24,12 @@ const EDGE: f64 = 0.04;
 /// Heights at which the trunk's front is measured.
 const LEVELS: usize = 16;
 
-/// Depth profile of a trunk: distance of its front from its axis at levels from the hips to the
-/// shoulders, metres.
+/// Depth profile of a trunk: distances of its front and its back from its axis at levels from the
+/// hips to the shoulders, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrunkShape {
     depths_m: [f64; LEVELS],
+    backs_m: [f64; LEVELS],
 }
 
 impl TrunkShape {
@@ -36,7 +37,7 @@ impl TrunkShape {
     #[must_use]
     pub fn from_figure(figure: &Figure) -> Self {
         let space = BodySpace::new(&figure.skeleton, None);
-        let mut depths_m = [0.0_f64; LEVELS];
+        let (mut depths_m, mut backs_m) = ([0.0_f64; LEVELS], [0.0_f64; LEVELS]);
         for bone in [Bone::Sacroiliac, Bone::Lumbar, Bone::Thoracic] {
             let zero = world_from_bone(&figure.skeleton, &Pose::zero(), bone);
             let Some(bind) = figure.inverse_bind.get(bone.index()) else {
@@ -59,7 +60,9 @@ impl TrunkShape {
                     let level = space.level(p.y);
                     if (0.0..=(LEVELS - 1) as f64).contains(&level) {
                         for i in [level.floor(), level.ceil()] {
-                            depths_m[i as usize] = depths_m[i as usize].max(depth);
+                            let i = i as usize;
+                            depths_m[i] = depths_m[i].max(depth);
+                            backs_m[i] = backs_m[i].max(-depth);
                         }
                     }
                 }
@@ -67,8 +70,10 @@ impl TrunkShape {
         }
         // Heights without skin have the default depth.
         let usual = space.half_depth;
+        let known = |depths: [f64; LEVELS]| depths.map(|d| if d > 0.5 * usual { d } else { usual });
         Self {
-            depths_m: depths_m.map(|d| if d > 0.5 * usual { d } else { usual }),
+            depths_m: known(depths_m),
+            backs_m: known(backs_m),
         }
     }
 }
@@ -155,6 +160,13 @@ impl BodySpace {
         self.axis_z + self.depth_m(y) + self.hand
     }
 
+    /// Returns the least z at height `y` of the column that a wrist must stay out of, world,
+    /// metres.
+    #[must_use]
+    pub fn back_m(&self, y: f64) -> f64 {
+        self.axis_z - self.rear_m(y) - self.hand
+    }
+
     /// Returns the height of the waist in the zero pose, world, metres.
     #[must_use]
     pub fn waist_m(&self) -> f64 {
@@ -166,14 +178,24 @@ impl BodySpace {
         (y - self.bottom) / (self.top - self.bottom) * (LEVELS - 1) as f64
     }
 
-    /// Returns the distance of the trunk's front from its axis at a height.
+    /// Returns the distance of the trunk's front from its axis at a height, metres.
     fn depth_m(&self, y: f64) -> f64 {
+        self.depth_of(y, |shape| &shape.depths_m)
+    }
+
+    /// Returns the distance of the trunk's back from its axis at a height, metres.
+    fn rear_m(&self, y: f64) -> f64 {
+        self.depth_of(y, |shape| &shape.backs_m)
+    }
+
+    fn depth_of(&self, y: f64, side: fn(&TrunkShape) -> &[f64; LEVELS]) -> f64 {
         let Some(shape) = &self.shape else {
             return self.half_depth;
         };
+        let depths_m = side(shape);
         let level = self.level(y).clamp(0.0, (LEVELS - 1) as f64);
         let below = (level as usize).min(LEVELS - 2);
-        let [a, b] = [shape.depths_m[below], shape.depths_m[below + 1]];
+        let [a, b] = [depths_m[below], depths_m[below + 1]];
         a + (b - a) * (level - below as f64)
     }
 
@@ -213,7 +235,7 @@ impl BodySpace {
         let depth = if p.z > self.axis_z {
             self.depth_m(p.y)
         } else {
-            self.half_depth
+            self.rear_m(p.y)
         };
         [self.half_width + room, depth + room]
     }

@@ -54,6 +54,8 @@ const AFTER_TURN_SECS: f64 = 1.2;
 /// Share of the head in a look aside, away, and in thought. Designed.
 const HEAD_ASIDE: f64 = 0.25;
 const HEAD_AWAY: f64 = 0.5;
+/// Share of the head in a look at a referent or a character. Designed.
+const HEAD_REFERENT: f64 = 0.7;
 /// Duration of the head turn, seconds. Designed.
 const HEAD_SECS: f64 = 0.45;
 /// Factor by which a speaker who searches for a word moves more slowly (F&H section 4.2.1).
@@ -72,6 +74,17 @@ enum GazePurpose {
     Away,
     /// A fixed direction, yaw (left) and pitch (down).
     Place([f64; 2]),
+    /// Direction of a referent or a character, likewise.
+    Referent([f64; 2]),
+}
+
+/// Look at a place: its span, seconds, and its direction relative to the listener, yaw (left) and
+/// pitch (down), radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PlacedLook {
+    pub(crate) start_secs: f64,
+    pub(crate) end_secs: f64,
+    pub(crate) direction_rad: [f64; 2],
 }
 
 /// A gaze demand over a span of time.
@@ -98,11 +111,19 @@ impl Gaze {
     /// Plans the gaze of all turns.
     pub(super) fn new(
         heard: &SpeechFeatures,
-        thoughts: &[ThinkingPause],
+        (thoughts, looks): (&[ThinkingPause], &[PlacedLook]),
         manner: &Manner,
         seed: u64,
     ) -> Self {
-        let demands = resolved(demands(heard, thoughts, manner, seed));
+        let mut all = demands(heard, thoughts, manner, seed);
+        all.extend(looks.iter().map(|look| GazeDemand {
+            start_secs: look.start_secs,
+            end_secs: look.end_secs,
+            want: GazePurpose::Referent(look.direction_rad),
+            rank: 3,
+        }));
+        sort_by_number(&mut all, |d| d.start_secs);
+        let demands = resolved(all);
         let mut way = GazePlan {
             gaze: Self::default(),
             at: [0.0; 2],
@@ -299,6 +320,9 @@ impl GazePlan {
                 let to = [side * (0.2 + 0.1 * self.unit()), 0.05 + 0.07 * self.unit()];
                 let to = to.map(|a| a * self.amount);
                 self.shift_gaze(start, to, HEAD_AWAY, 1.0);
+            }
+            GazePurpose::Referent(to) => {
+                self.shift_gaze(start, to.map(|a| a * self.amount), HEAD_REFERENT, 1.0);
             }
             GazePurpose::Place(to) => {
                 self.shift_gaze(

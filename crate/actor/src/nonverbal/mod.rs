@@ -12,9 +12,11 @@ mod blink;
 mod contour;
 mod extreme;
 mod gaze;
+mod head_gesture;
 mod listen;
 mod loudness;
 mod manner;
+mod negation;
 mod pitch;
 mod raise;
 mod speech_features;
@@ -28,8 +30,12 @@ use raconteur_base::order::sort_by_number;
 use raconteur_body::face::{FaceControls, Muscle};
 use raconteur_speech::TimedUtterance;
 
+use crate::discourse::Discourse;
+
 use blink::Blinks;
 use gaze::Gaze;
+pub(crate) use gaze::PlacedLook;
+pub(crate) use head_gesture::HeadGestures;
 use listen::ListenerGaze;
 use raise::Raises;
 use speech_features::SpeechFeatures;
@@ -83,6 +89,17 @@ impl NonVerbal {
     /// seed another. Utterances with invalid times are skipped.
     #[must_use]
     pub fn new(speech: &[TimedUtterance], seed: u64, manner: &Manner) -> Self {
+        Self::in_discourse(speech, (&Discourse::default(), &[]), seed, manner).0
+    }
+
+    /// Plans everything for utterances and the discourse structure, with looks at places, sorted
+    /// by time; and the gestures of the head.
+    pub(crate) fn in_discourse(
+        speech: &[TimedUtterance],
+        (discourse, looks): (&Discourse, &[PlacedLook]),
+        seed: u64,
+        manner: &Manner,
+    ) -> (Self, HeadGestures) {
         let manner = manner.in_range();
         let fits = |u: &&TimedUtterance| u.start_secs.abs() < MAX_TIME_SECS;
         let mut utterances: Vec<&TimedUtterance> = speech.iter().filter(fits).collect();
@@ -101,15 +118,17 @@ impl NonVerbal {
             .turns
             .iter()
             .map(|[start, _, end]| [start - before, end + after]);
-        Self {
+        let head = HeadGestures::new(&heard, discourse, &manner, seed);
+        let plan = Self {
             raises: Raises::new(&heard, by_sound, &manner, seed),
             thought: think::brows(&thoughts),
             lick: think::licks(&heard, &thoughts, &manner, seed),
-            gaze: Gaze::new(&heard, &thoughts, &manner, seed),
+            gaze: Gaze::new(&heard, (&thoughts, looks), &manner, seed),
             listening: ListenerGaze::new(turns.collect(), manner.gaze, seed),
             blinks: Blinks::new(&heard, manner.blinks, seed),
             loudness,
-        }
+        };
+        (plan, head)
     }
 
     /// Adds to the controls of a face at a time: brows raised or drawn together, lips moistened.

@@ -68,6 +68,8 @@ pub(super) struct SpeechFeatures {
     /// Rises and falls of the voice, utterance by utterance.
     pub(super) extremes: Vec<Extreme>,
     pub(super) questions: Vec<Question>,
+    /// Start times of words that negate, ascending.
+    pub(super) negations: Vec<f64>,
     /// Start of the first sound, start of the last word and end of the last sound of each
     /// turn.
     pub(super) turns: Vec<[f64; 3]>,
@@ -97,6 +99,7 @@ impl SpeechFeatures {
         sort_by_number(&mut heard.boundaries, |t| *t);
         heard.boundaries.dedup();
         sort_by_number(&mut heard.stresses, |s| s.start_secs);
+        sort_by_number(&mut heard.negations, |t| *t);
         sort_by_number(&mut heard.pauses, |p| p.start_secs);
         // A filler with the silence around it is one pause.
         heard.pauses.dedup_by(|later, earlier| {
@@ -149,6 +152,9 @@ impl SpeechFeatures {
         }
         for (i, word) in u.words.iter().enumerate() {
             let (start_secs, end_secs) = (at(word.start_secs), at(word.end_secs));
+            if super::negation::is_negation(&word.text) && start_secs.abs() < MAX_TIME_SECS {
+                self.negations.push(start_secs);
+            }
             if is_filler(&word.text) && start_secs < end_secs && end_secs < MAX_TIME_SECS {
                 self.pauses.push(Pause {
                     start_secs,

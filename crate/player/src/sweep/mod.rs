@@ -358,7 +358,7 @@ fn late_strokes(player: &mut Player, secs: &RangeInclusive<f64>) -> Check {
                 let t = begins + f64::from(ms) * 1e-3;
                 let wrist = player.frame(t, 1.6).world_from_joint[bone.index()];
                 // The position moves with the figure.
-                let place = player.world_from_figure(t).transform_point3(place);
+                let place = player.world_from_gestures(t).transform_point3(place);
                 wrist.translation.distance(place)
             };
             let ways_m: Vec<f64> = (0..steps).map(&mut off_m).collect();

@@ -110,6 +110,13 @@ impl Player {
         moved.unwrap_or(DAffine3::IDENTITY)
     }
 
+    /// Returns world from gesture space at a time: scripted places follow where the figure stands
+    /// and faces.
+    #[must_use]
+    pub fn world_from_gestures(&self, time_secs: f64) -> DAffine3 {
+        self.actors.actor().world_from_gestures(time_secs)
+    }
+
     /// Returns true if the script cuts a limb to other joints after one time and up to another,
     /// story time.
     pub(crate) fn cuts_between(&self, after_secs: f64, to_secs: f64) -> bool {
@@ -117,7 +124,7 @@ impl Player {
     }
 
     /// Returns the starts of a hand's strokes, story time, and the first wrist position of each,
-    /// limited to reach, in the axes of the figure ([`Player::world_from_figure`]), metres.
+    /// limited to reach, in gesture space ([`Player::world_from_gestures`]), metres.
     pub fn strokes(&self, side: Side) -> Vec<(f64, DVec3)> {
         let keys = self.actors.actor().plan(side).keys().iter();
         keys.filter(|k| k.begins_stroke)
