@@ -71,6 +71,8 @@ enum Command {
     Voice(commands::voice::Voice),
     /// Play stories without rendering and report visible faults.
     Sweep(commands::sweep::Sweep),
+    /// Play stories without rendering and compare the motion of the body with people's.
+    Motion(commands::motion::Motion),
     /// Show how camera, light and music express emotions.
     Express(commands::express::Express),
     /// Play a score on the built-in synthesiser.
@@ -97,6 +99,7 @@ impl Command {
             Self::Bake(c) => c.run(),
             Self::Voice(c) => c.run(),
             Self::Sweep(c) => c.run(),
+            Self::Motion(c) => c.run(),
             Self::Express(c) => c.run(),
             Self::Compose(c) => c.run(),
             Self::Export(c) => c.run(),

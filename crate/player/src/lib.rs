@@ -10,6 +10,7 @@
 
 pub mod live;
 mod lower;
+pub mod motion;
 mod options;
 mod play;
 pub mod sweep;

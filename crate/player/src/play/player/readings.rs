@@ -1,6 +1,7 @@
 //! Queries of a time in addition to its frame: the spoken word, targets of the hands, a digest of
 //! the pose.
 
+use raconteur_actor::gesture::PlannedKey;
 use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_stage::{Angle, CurrentSpeech, EmotionType, Illumination, Mood, Shot};
 
@@ -130,6 +131,21 @@ impl Player {
         keys.filter(|k| k.begins_stroke)
             .filter_map(|k| Some((k.time_secs, k.wrist_in_world?)))
             .collect()
+    }
+
+    /// Returns the planned keys of a hand, in the order of planning.
+    pub(crate) fn planned_keys(&self, side: Side) -> &[PlannedKey] {
+        self.actors.actor().plan(side).keys()
+    }
+
+    /// Evaluates the joints at a story time, world from joint, without tissue, hair, light and the
+    /// idle behaviour before playback. The frame stays unchanged.
+    pub(crate) fn solve_joints(&mut self, time_secs: f64, world_from_joint: &mut Vec<DAffine3>) {
+        let t = self.clock.shown_secs(time_secs, self.end_secs());
+        let (pose, weights) = (&mut self.scratch.pose, &mut self.scratch.morph_weights);
+        let skeleton = &self.cast.figure.skeleton;
+        (self.actors).evaluate(skeleton, &self.cast.face, t, pose, weights);
+        skeleton.solve(pose, world_from_joint);
     }
 
     /// Returns true if the script positions a hand at a time, story time, while its shots make room
