@@ -19,7 +19,7 @@ const LETTERS: usize = 3;
 /// 1.7 m. *Designed*: beyond the hand, at the height of the shoulders.
 const PLACE_M: (f64, f64) = (2.0, 1.4);
 /// Minimum length of a stroke, seconds: a stroke may be a single time.
-const SHORTEST_SECS: f64 = 1e-3;
+const MIN_STROKE_SECS: f64 = 1e-3;
 
 /// Measures of a figure that convert a wrist position to a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,12 +49,12 @@ impl Shoulders {
 }
 
 /// Intervals in which an arm has strokes.
-struct Busy {
+struct BusyIntervals {
     /// Start of each stroke, and the last end up to it; by start.
     strokes: Vec<(f64, f64)>,
 }
 
-impl Busy {
+impl BusyIntervals {
     fn new(strokes: &[GestureStroke]) -> Self {
         let mut all: Vec<(f64, f64)> = strokes.iter().map(interval).collect();
         sort_by_number(&mut all, |(start, _)| *start);
@@ -75,7 +75,7 @@ impl Busy {
 
 fn interval(stroke: &GestureStroke) -> (f64, f64) {
     let start = stroke.start_secs;
-    (start, stroke.end_secs.max(start + SHORTEST_SECS))
+    (start, stroke.end_secs.max(start + MIN_STROKE_SECS))
 }
 
 /// Returns the places that the one-handed strokes of both arms set. `on` are the intervals in which
@@ -86,7 +86,10 @@ pub(super) fn gesture_places(
     words: &[TimedWord],
     shoulders: &Shoulders,
 ) -> Vec<GesturePlace> {
-    let busy = [Busy::new(&strokes[0]), Busy::new(&strokes[1])];
+    let busy = [
+        BusyIntervals::new(&strokes[0]),
+        BusyIntervals::new(&strokes[1]),
+    ];
     let mut found: Vec<(&GestureStroke, DVec3)> = Vec::new();
     for (side, own) in strokes.iter().enumerate() {
         let other = &busy[1 - side];

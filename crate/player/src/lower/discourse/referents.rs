@@ -48,7 +48,7 @@ pub(crate) struct GesturePlace {
 type FromTime<T> = Vec<(f64, T)>;
 
 /// Returns the last value set at a time or before.
-fn at<T>(values: &[(f64, T)], time_secs: f64) -> Option<&T> {
+fn value_at<T>(values: &[(f64, T)], time_secs: f64) -> Option<&T> {
     let set = values.partition_point(|(from, _)| *from <= time_secs + ROUNDING_SECS);
     values.get(set.checked_sub(1)?).map(|(_, value)| value)
 }
@@ -93,8 +93,8 @@ impl Referents {
     /// Returns the referent mentioned by a word at a time, and its place then.
     fn mentioned(&self, word: &str, time_secs: f64) -> Option<(usize, DVec3)> {
         let found = |form: &str| {
-            let referent = *at(self.by_word.get(form)?, time_secs)?;
-            Some((referent, *at(&self.places[referent], time_secs)?))
+            let referent = *value_at(self.by_word.get(form)?, time_secs)?;
+            Some((referent, *value_at(&self.places[referent], time_secs)?))
         };
         forms(word).find_map(found)
     }
@@ -196,7 +196,7 @@ fn gestured(
     for word in words {
         let placed = |form: &str| {
             let (own, set) = by_word.get_key_value(form)?;
-            Some((*own, at(set, word.start_secs)?))
+            Some((*own, value_at(set, word.start_secs)?))
         };
         let Some((own, (stroke_secs, place))) = forms(&word.bare).find_map(placed) else {
             continue;
