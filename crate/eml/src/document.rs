@@ -18,7 +18,7 @@ use crate::clauses::players::{
     PlayerChangePriority, PlayerRemove, PlayerSetExclusive,
 };
 use crate::clauses::sets::Set;
-use crate::clauses::speech::{Beat, VoiceChange, VoiceSay};
+use crate::clauses::speech::{Beat, Place, VoiceChange, VoiceSay};
 use crate::record::Record;
 use crate::{GestureKey, Name, Span, TimeExpr, VoiceText};
 use std::borrow::Cow;
@@ -178,6 +178,8 @@ pub enum ClauseKind {
     VoiceChange(VoiceChange),
     /// Sets the tension of the story (extension).
     Beat(Beat),
+    /// Gives a referent of the speech a place on the stage (extension).
+    Place(Box<Place>),
     /// Elicits an emotion (extension).
     Emotion(Emotion),
     /// Sets the shot (extension).
@@ -239,6 +241,7 @@ impl ClauseKind {
             Self::VoiceSay(_) => "voice-say",
             Self::VoiceChange(_) => "voice-change",
             Self::Beat(_) => "beat",
+            Self::Place(_) => "place",
             Self::Emotion(_) => "emotion",
             Self::Camera(_) => "camera",
             Self::Light(_) => "light",
@@ -280,6 +283,7 @@ impl ClauseKind {
             Self::VoiceSay(record) => record.as_mut(),
             Self::VoiceChange(record) => record,
             Self::Beat(record) => record,
+            Self::Place(record) => record.as_mut(),
             Self::Emotion(record) => record,
             Self::Camera(record) => record,
             Self::Light(record) => record,

@@ -68,8 +68,8 @@ pub use clauses::sets::{
 };
 pub use clauses::speech::{
     Age, Audio, AudioMode, Beat, Boundary, Emph, Engine, Gender, Language, Level, Markup, Pitch,
-    Pron, Rate, SayAs, SayAsMode, SayAsType, Speaker, UtteranceKind, VoiceChange, VoiceOperation,
-    VoiceSay, Volume,
+    Place, Pron, Rate, SayAs, SayAsMode, SayAsType, Speaker, UtteranceKind, VoiceChange,
+    VoiceOperation, VoiceSay, Volume,
 };
 pub use decode::{Decoded, decode, parse_bytes};
 pub use diagnostic::{Diagnostic, MAX_PER_KIND, Severity, thinned};

@@ -12,6 +12,7 @@ use std::collections::BTreeMap;
 
 use raconteur_base::noise::{self, hash, signed, unit};
 use raconteur_base::ops;
+use raconteur_base::text::quotes::Quotes;
 
 use crate::content::{Setting, Speaker};
 use crate::plan::{Plan, Planned};
@@ -149,27 +150,8 @@ fn normal(seed: u64, at: i64) -> f64 {
 
 /// Returns, for each word, true if it is between quotation marks.
 fn quoted(plan: &Plan) -> Vec<bool> {
-    let mut is_open = false;
-    let is_mark = |c: char| {
-        matches!(
-            c,
-            '\u{201c}' | '\u{201d}' | '\u{201e}' | '\u{ab}' | '\u{bb}' | '"'
-        )
-    };
-    let inside = plan.words.iter().map(|word| {
-        let before = word.find(char::is_alphanumeric).unwrap_or(word.len());
-        let (front, rest) = word.split_at(before);
-        // Marks before a word open and those behind it close, whichever they are.
-        if front.contains(is_mark) {
-            is_open = true;
-        }
-        let quoted = is_open;
-        if rest.contains(is_mark) {
-            is_open = false;
-        }
-        quoted
-    });
-    inside.collect()
+    let mut quotes = Quotes::default();
+    plan.words.iter().map(|word| quotes.read(word)).collect()
 }
 
 /// Gives direct speech without another voice its own style.

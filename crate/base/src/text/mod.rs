@@ -7,8 +7,10 @@
 pub mod abbreviation;
 pub mod capitals;
 mod capitals_lists;
+pub mod function_words;
 pub mod language;
 pub mod months;
+pub mod quotes;
 pub mod roman;
 pub mod script;
 pub mod sentence;

@@ -402,6 +402,22 @@ record! {
 }
 
 record! {
+    /// Gives a referent of the speech a place on the stage from its time on (extension).
+    Place = "place" {
+        /// Name of the referent; a later place of the same name moves it.
+        name: String = "name",
+        /// Units to the speaker's left.
+        x: f64 = "x",
+        /// Units upwards.
+        y: f64 = "y",
+        /// Units to the back.
+        z: f64 = "z",
+        /// Words that mention the referent, with spaces between them; none: its name.
+        words: Option<String> = "words",
+    }
+}
+
+record! {
     /// Changes the voice of all speech from now on (GEVH D.4.15).
     VoiceChange = "voice-change" {
         /// Name of the voice, such as `don_diphone`.

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use raconteur_base::text::function_words::is_function_word;
+
 use super::escaped;
 use super::sentences::Sentence;
 
@@ -14,24 +16,6 @@ const WAVE_LATER: &str = "0.65s";
 /// A hand is raised in greeting to these.
 const GREETINGS: &str = "hello hi hey welcome goodbye bye greetings hallo willkommen tschüss servus \
                          olá oi tchau adeus bem-vindo bem-vindos bem-vinda bem-vindas";
-/// Function words of English, German and Portuguese on which no beat falls, if they are as long as
-/// words that carry one.
-const SMALL: &str = "a an and are as at be been but by can could did do does for from had has have he \
-    her hers him his how i if in into is it its just may me might must my no nor not of on or our \
-    shall she should so some than that the their them then there these they this those to up us was \
-    we were what when where which who whom why will with would you your \
-    aber alle als also auch auf aus bei bist dann dass dein deine dem den denn der des dich dich die \
-    dies diese dieser dir doch durch eine einem einen einer eines euch euer für gegen haben hast \
-    hatte ihre ihrem ihren ihrer immer jede jeder kann kein keine mehr mein meine meinem meinen \
-    meiner mich mit muss nach nicht noch nur oder ohne schon sein seine seinem seinen seiner sich \
-    sind so sondern soll über und uns unser unter viel vom von vor wann war waren warum was weil \
-    welche wenn wer werden wie wieder will wir wird wo wurde zum zur zwischen \
-    como com das dela dele depois dessa desse desta deste disso dos ela elas ele eles entre era eram \
-    essa esse esta está estão estas este estes eu foi foram isso isto já lhe mais mas mesmo meu meus \
-    minha muito nas nem nos nós não nossa nosso num numa onde para pela pelo por porque porquê \
-    quando que quem são se sem ser seu seus sobre sua suas também tem tenho ter teu teus tinha toda \
-    todas todo todos tua tudo uma umas você vocês";
-
 /// Markup of a sentence with gesture markers, and the gestures timed by them.
 pub(super) struct GesturedSentence {
     pub(super) text: String,
@@ -64,7 +48,7 @@ pub(super) fn performed(sentence: &Sentence, index: usize) -> GesturedSentence {
         }
         since += 1;
         let greets = has(GREETINGS, &own);
-        let is_heavy = own.chars().count() >= 4 && !has(SMALL, &own);
+        let is_heavy = own.chars().count() >= 4 && !is_function_word(&own);
         if greets || word.is_stressed && since > 1 || since >= BETWEEN_BEATS && is_heavy {
             since = 0;
             let mark = format!("g{index}w{i}");

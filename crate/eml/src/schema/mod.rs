@@ -77,6 +77,7 @@ mod palms;
 mod par;
 mod performer;
 mod pitch;
+mod place;
 mod pron;
 mod rate;
 mod record;
@@ -418,6 +419,7 @@ pub static ELEMENTS: &[&Element] = &[
     &performer::ELEMENT,
     &environment::PIECE,
     &pitch::ELEMENT,
+    &place::ELEMENT,
     &flow::POOL,
     &pron::ELEMENT,
     &rate::ELEMENT,

@@ -123,6 +123,7 @@ impl ScriptPlan {
         self.geometry.retain(|(secs, _)| *secs < at_secs);
         self.shots.retain(|s| s.start_secs < at_secs);
         self.music.retain(|m| m.start_secs < at_secs);
+        self.discourse.cut(at_secs);
         self.face.parameters.retain(|(secs, _)| *secs < at_secs);
         self.face.emotions.retain(|e| e.span.start_secs < at_secs);
         let felt = self.face.emotions.iter_mut();

@@ -393,8 +393,7 @@ impl LivePerformance {
         }
     }
 
-    /// Forgets a fragment, but not the animation players and the control parameters that it
-    /// left behind.
+    /// Removes a fragment and keeps the commands and places of referents that stay in force.
     fn forget(&mut self, index: usize) {
         let forgotten = self.fragments.remove(index);
         let parameters = &mut self.carried.parameters;
@@ -402,6 +401,7 @@ impl LivePerformance {
         sort_by_number(parameters, |(time_secs, _)| *time_secs);
         let surplus = parameters.len().saturating_sub(limits::CARRIED_COMMANDS);
         parameters.drain(..surplus);
+        self.carried.add_places(forgotten.plan.discourse.places);
         let players = &mut self.carried.players;
         players.extend(forgotten.plan.players);
         sort_by_number(players, |(time_secs, _)| *time_secs);

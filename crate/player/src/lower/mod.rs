@@ -8,6 +8,7 @@ pub(crate) mod cast;
 pub(crate) mod clips;
 pub(crate) mod control_source;
 pub(crate) mod cues;
+pub(crate) mod discourse;
 pub(crate) mod emotions;
 pub(crate) mod expressed_emotion;
 pub(crate) mod face;

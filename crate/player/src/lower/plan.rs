@@ -4,11 +4,13 @@ use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::parameters::ParameterCommand;
 use raconteur_actor::{GestureStroke, ManipulatorScript};
 use raconteur_base::Side;
+use raconteur_base::order::sort_by_number;
 
 use crate::lower::animations;
 use crate::lower::cast::Cast;
 use crate::lower::control_source::Channels;
 use crate::lower::cues::{self, Cue, UtteranceCue};
+use crate::lower::discourse::{DiscoursePlan, PlaceCue};
 use crate::lower::face::{self, FacePlan};
 use crate::lower::gestures;
 use crate::lower::lamps::{self, LampCue};
@@ -20,6 +22,9 @@ use crate::lower::repertoire::Repertoire;
 use crate::lower::script::Script;
 use crate::lower::shots::{self, ShotCue};
 use crate::lower::visibility::{self, Switch};
+
+/// Maximum number of places of referents that outlive their fragments.
+const MAX_CARRIED_PLACES: usize = 1024;
 
 /// Script or live fragment, compiled for one figure: plans of gestures, face, camera, light, music
 /// and cues.
@@ -50,6 +55,8 @@ pub(crate) struct ScriptPlan {
     pub(crate) repertoire: Repertoire,
     /// Utterances, by time.
     pub(crate) utterances: Vec<UtteranceCue>,
+    /// Discourse structure of the speech.
+    pub(crate) discourse: DiscoursePlan,
     /// Cues, by time.
     pub(crate) cues: Vec<Cue>,
 }
@@ -66,12 +73,15 @@ impl ScriptPlan {
         let (document, timeline) = (&script.document, &script.timeline);
         let (units, hands) = (&cast.units, cast.hands);
         let utterances = cues::utterances(script);
+        let strokes = Side::BOTH
+            .map(|side| gestures::strokes(document, timeline, side, units, hands))
+            .map(|strokes| gestures::not_before(strokes, script.hands_from_secs));
+        let switches = gestures::switches(document, timeline);
         Self {
-            strokes: Side::BOTH
-                .map(|side| gestures::strokes(document, timeline, side, units, hands))
-                .map(|strokes| gestures::not_before(strokes, script.hands_from_secs)),
+            discourse: DiscoursePlan::new(script, &utterances, &strokes, &switches, cast),
+            strokes,
             manipulators: manipulators::script(document, timeline, units),
-            switches: gestures::switches(document, timeline),
+            switches,
             players: animations::commands(document, timeline).0,
             geometry: visibility::switches(document, timeline),
             face: face::lower(script, &utterances),
@@ -94,4 +104,16 @@ pub(crate) struct CarriedCommands {
     pub(crate) players: Vec<(f64, PlayerCommand)>,
     /// Commands to control parameters, with their times.
     pub(crate) parameters: Vec<(f64, ParameterCommand)>,
+    /// Places of referents.
+    pub(crate) places: Vec<PlaceCue>,
+}
+
+impl CarriedCommands {
+    /// Adds the places of a removed fragment; beyond the limit, the oldest are lost.
+    pub(crate) fn add_places(&mut self, places: Vec<PlaceCue>) {
+        self.places.extend(places);
+        sort_by_number(&mut self.places, |place| place.start_secs);
+        let surplus = self.places.len().saturating_sub(MAX_CARRIED_PLACES);
+        self.places.drain(..surplus);
+    }
 }

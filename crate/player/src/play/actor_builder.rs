@@ -1,16 +1,14 @@
 //! Preparation of an actor for all known parts of a performance.
 
 use raconteur_actor::animation::PlayerCommand;
-use raconteur_actor::{
-    Actor, ArmScript, Discourse, Library, ParameterScript, Performance, PlayerScript,
-};
+use raconteur_actor::{Actor, ArmScript, Library, ParameterScript, Performance, PlayerScript};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_stage::{FramingMargin, Gesture, TakenSpace};
 
 use crate::lower::cast::Cast;
 use crate::lower::plan::{CarriedCommands, ScriptPlan};
-use crate::lower::{clips, face, gestures, manipulators};
+use crate::lower::{clips, discourse, face, gestures, manipulators};
 use crate::options::Options;
 
 /// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
@@ -146,7 +144,10 @@ impl ActorBuilder<'_> {
                     .cloned()
                     .collect(),
             },
-            discourse: Discourse::default(),
+            discourse: discourse::together(
+                plans.clone().map(|p| &p.discourse),
+                &self.carried.places,
+            ),
             library: self.library.clone(),
             arms: Side::BOTH.map(|side| ArmScript {
                 strokes: plans
