@@ -6,6 +6,7 @@ mod gaze;
 
 use std::sync::Arc;
 
+use raconteur_base::curve::lerp;
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
 use raconteur_body::face::FaceControls;
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -15,6 +16,7 @@ use crate::animation::Players;
 use crate::face::FaceRig;
 use crate::facial_behaviour::FacialBehaviour;
 use crate::gesture::contact::Contact;
+use crate::gesture::second_hand;
 use crate::gesture::smoothing::JumpSmoothing;
 use crate::gesture::{ArmPlan, ArmScript, IdleSettings, RestSchedule};
 use crate::idle::stance::{Stance, Support};
@@ -91,6 +93,8 @@ pub struct Actor {
     welcomes: bool,
 }
 
+/// Time before and after speech within which breath follows its phrases, seconds.
+const BREATH_NEAR_SECS: f64 = 1.5;
 /// Middle of the eyes from the skull's joint in the zero pose, metres.
 const EYES_FROM_SKULL_M: DVec3 = DVec3::new(0.0, 0.07, 0.08);
 
@@ -180,13 +184,20 @@ impl Actor {
             (skeleton.scale(), DVec3::new(0.0, 0.0, lumbar.z)),
             (seed, !is_moved),
         );
-        let arms = scripts_in_figure(performance, &heading);
+        let mut arms = scripts_in_figure(performance, &heading);
+        if amount > 0.0 {
+            second_hand::vary(&mut arms, life.dominant, (seed, skeleton.scale()));
+        }
         let rests = Arc::new(RestSchedule::new(&arms, &life));
-        let plans = rigs.each_ref().map(|rig| {
+        let mut plans = rigs.each_ref().map(|rig| {
             let script = &arms[rig.side().index()];
             let body = (skeleton, Arc::clone(rig));
             ArmPlan::with_rests(script, body, &life, Arc::clone(&rests))
         });
+        let size_at = |t: f64| vigour.at(t) * skeleton.scale();
+        for plan in &mut plans {
+            plan.add_beats(feeling.accents(), &size_at);
+        }
         let mut actor = Self {
             posture: Posture::new(&plans, &sentences, &vigour, seed),
             heading,
@@ -388,6 +399,15 @@ impl Actor {
         }
     }
 
+    /// Returns the filling of the lungs at a time, −1 (exhaled) to 1.6 (a deep breath): with the
+    /// phrases near speech, regular without it.
+    fn breath(&self, t: f64) -> f64 {
+        let breathing = self.feeling.breath(t);
+        let regular = self.trunk.breath(&self.rhythm, t, &breathing);
+        let spoken = self.rhythm.near(t, BREATH_NEAR_SECS);
+        lerp(regular, breathing.depth * self.feeling.lungs(t), spoken)
+    }
+
     /// Returns the contribution of posture at a time.
     fn posture(&self, t: f64) -> BodyPosture {
         let turn_rad = self.heading.turn_rad(t);
@@ -410,8 +430,7 @@ impl Actor {
         };
         self.stance
             .stand(skeleton, t, (self.amount, &support), pose);
-        let breathing = self.feeling.breath(t);
-        let with = (&breathing, &posture);
+        let with = (self.breath(t), &posture);
         let [lumbar, thoracic] = (self.trunk).turns(&self.rhythm, t, weight, self.amount, with);
         pose.set(Bone::Lumbar, lumbar);
         pose.set(Bone::Thoracic, thoracic);

@@ -11,7 +11,7 @@ use crate::emotion::{Breathing, EmotionTrack};
 use crate::idle::gaze::angles_of;
 use crate::idle::stream;
 use crate::lips::MouthTargets;
-use crate::nonverbal::{GazeAversion, HeadGestures, Manner, NonVerbal, PlacedLook};
+use crate::nonverbal::{GazeAversion, Manner, NonVerbal, PlacedLook, SpeechMotion};
 use crate::parameters::ParameterTrack;
 use crate::performance::Performance;
 
@@ -20,7 +20,7 @@ use crate::performance::Performance;
 #[derive(Clone, Debug)]
 pub(crate) struct FacialBehaviour {
     nonverbal: NonVerbal,
-    head: HeadGestures,
+    motion: SpeechMotion,
     emotions: EmotionTrack,
     parameters: ParameterTrack,
 }
@@ -51,11 +51,11 @@ impl FacialBehaviour {
             eyes_in_figure,
             seed,
         );
-        let (nonverbal, head) =
+        let (nonverbal, motion) =
             NonVerbal::in_discourse(&performance.speech, (discourse, &looks), seed, manner);
         Self {
             nonverbal,
-            head,
+            motion,
             emotions: EmotionTrack::new(&performance.emotions, parameters.emotions()),
             parameters,
         }
@@ -94,6 +94,16 @@ impl FacialBehaviour {
         self.emotions.sample(t)
     }
 
+    /// Returns the start times of accented syllables, ascending, seconds.
+    pub(crate) fn accents(&self) -> &[f64] {
+        &self.motion.accents
+    }
+
+    /// Returns the filling of the lungs with speech at a time, −1 (exhaled) to 1.6 (a deep breath).
+    pub(crate) fn lungs(&self, t: f64) -> f64 {
+        self.motion.lungs.sample(t)[0]
+    }
+
     /// Returns the state of breathing, see [`EmotionTrack::breath`].
     pub(crate) fn breath(&self, t: f64) -> Breathing {
         self.emotions.breath(t)
@@ -105,7 +115,7 @@ impl FacialBehaviour {
         let felt = self.emotions.head(t);
         let liveliness = self.emotions.liveliness(t);
         let [raise, turn, tilt] = self.nonverbal.head(t, liveliness);
-        let [pitch, yaw, roll] = self.head.sample(t, liveliness);
+        let [pitch, yaw, roll] = self.motion.head.sample(t, liveliness);
         HeadMotion {
             pitch: aside[1] + raise + pitch + felt[1],
             roll: tilt + roll + felt[2],

@@ -29,16 +29,13 @@ impl Actor {
         let mut hands =
             Side::BOTH.map(|side| self.place(side, &targets[side.index()], &carried, turned));
         let shrugs = self.posture(t).shrug;
-        let breathing = self.feeling.breath(t);
+        let breath = self.breath(t);
         let solve = |side: Side, hand: &TargetHand| {
             let i = side.index();
             let goal = ArmGoal {
                 wrist_in_world: hand.wrist,
                 hand_in_world: Some(hand.hand),
-                shrug_rad: shrugs[i]
-                    + self
-                        .trunk
-                        .shrug(&self.rhythm, t, i as u64, self.amount, &breathing),
+                shrug_rad: shrugs[i] + self.trunk.shrug(t, i as u64, self.amount, breath),
             };
             self.rigs[i].solve(&thorax, &goal)
         };

@@ -7,6 +7,7 @@
 //!
 //! Wrist, hand rotation and fingers have separate timings: a turning palm does not stop the arm.
 
+mod beats;
 pub mod contact;
 mod fingers;
 mod pace;
@@ -16,6 +17,7 @@ mod plan;
 mod planner;
 mod rest;
 mod rest_schedule;
+pub(crate) mod second_hand;
 pub(crate) mod smoothing;
 mod tracks;
 

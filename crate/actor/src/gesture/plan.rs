@@ -8,6 +8,7 @@ use raconteur_base::{DQuat, DVec3, Length};
 use raconteur_body::Skeleton;
 use raconteur_body::hand_shape::HandAngles;
 
+use super::beats::Beats;
 use super::fingers::FingerTrack;
 use super::path::reach_secs;
 use super::planner::{PlannedKey, Planner};
@@ -61,6 +62,7 @@ pub struct ArmPlan {
     paces: Vec<SpeedSpan>,
     keys: Vec<PlannedKey>,
     rest: RestPostures,
+    beats: Beats,
     rig: Arc<ArmRig>,
 }
 
@@ -113,8 +115,15 @@ impl ArmPlan {
             paces,
             keys: planned.keys,
             rest,
+            beats: Beats::default(),
             rig,
         }
+    }
+
+    /// Adds beats to the holds of the hand, at accents in ascending order, seconds. `size_at` gives
+    /// their size at a time; 1 for ordinary speech of a person 1.7 m tall.
+    pub(crate) fn add_beats(&mut self, accents: &[f64], size_at: &dyn Fn(f64) -> f64) {
+        self.beats = Beats::new(&self.wrist, accents, size_at);
     }
 
     /// Returns the arm for which the motion is planned.
@@ -130,6 +139,7 @@ impl ArmPlan {
         let rest = self.rest.sample(time_secs);
         let t = self.paced(time_secs);
         let (wrist, rest_share) = self.wrist.sample(&self.rig, t, rest.wrist);
+        let wrist = wrist + self.beats.sample(t);
         let (hand, hand_rest_share) = self.hand.sample(&self.rig, t, &rest, wrist);
         let (shape, finger_rest_share) = self.fingers.sample(t, &self.rest.fingers(time_secs));
         HandTarget {

@@ -15,9 +15,9 @@ use crate::ArmRig;
 use crate::limb::BodySpace;
 
 /// Hands flow directly into a stroke that begins this soon, seconds. Designed.
-const FLOW_SECS: f64 = 1.1;
+const FLOW_SECS: f64 = 1.3;
 /// Maximum gap in which hands sink half-way to the ready place between strokes, seconds. Designed.
-const SINK_SECS: f64 = 2.3;
+pub(super) const SINK_SECS: f64 = 2.9;
 /// Maximum hold after a stroke, seconds. Designed (holds of about 0.3 to 0.6 s are common).
 const HOLD_SECS: f64 = 0.55;
 /// Sinking of a held hand, metres: no one holds perfectly still.

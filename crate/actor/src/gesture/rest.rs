@@ -18,6 +18,8 @@ const DETOUR_M: f64 = 0.07;
 /// Share of a change of posture that each part of a way with one and with two places between takes.
 /// The parts overlap, so that the hand does not stop. Designed.
 const PART_SHARES: [f64; 2] = [0.64, 0.5];
+/// Share of a change with a place between in which the hand turns.
+const TURNING_SHARE: f64 = 0.5;
 /// Time that a place between adds to a change, share of its duration. Designed.
 const PART_LONGER: f64 = 0.5;
 /// Hand shapes of rests: flat with fingers together, and a loose fist.
@@ -126,10 +128,9 @@ impl RestPostures {
         };
         let k = 3 * side.index() as u64;
         let drift = DVec3::new(sign * drift(k), drift(k + 1), drift(k + 2));
-        let turn = minimum_jerk(change.share);
         RestingHand {
             wrist: change.place() + drift,
-            hand: change.from.at.hand.slerp(change.to.at.hand, turn),
+            hand: change.hand(),
         }
     }
 
@@ -212,6 +213,20 @@ struct PostureChange<'a> {
 }
 
 impl PostureChange<'_> {
+    /// Returns the rotation of the hand. A place between is passed with the rotation of the posture
+    /// that is not beyond it.
+    fn hand(&self) -> DQuat {
+        let share = match self.via {
+            [None, Some(_)] => (self.share - (1.0 - TURNING_SHARE)) / TURNING_SHARE,
+            [Some(_), None] => self.share / TURNING_SHARE,
+            _ => self.share,
+        };
+        self.from
+            .at
+            .hand
+            .slerp(self.to.at.hand, minimum_jerk(share))
+    }
+
     /// Returns the place of the wrist, metres: a superposition of the parts of its way.
     fn place(&self) -> DVec3 {
         let (from, to) = (self.from.at.wrist, self.to.at.wrist);
@@ -365,7 +380,7 @@ impl Measures {
                 [
                     (0.075 + 0.02 * nearer) * scale,
                     self.waist - 0.06 * scale,
-                    self.back - (0.02 + 0.035 * nearer) * scale,
+                    self.back - (0.055 + 0.035 * nearer) * scale,
                 ],
                 [-0.8, -0.55, 0.1],
                 [-0.1, 0.15, -1.0],

@@ -7,7 +7,8 @@
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{Side, noise};
 
-use super::{ArmScript, IdleSettings};
+use super::planner::SINK_SECS;
+use super::{ArmScript, IdleSettings, TimeSpan};
 use crate::idle::stream;
 
 /// Time for changing from one posture to another, seconds. Designed.
@@ -26,8 +27,6 @@ const LONG_SECS: f64 = 6.5;
 const FREE_SECS: f64 = 2.4;
 /// Time before the first key of a stroke at which its preparation begins, at most, seconds.
 const PREPARE_SECS: f64 = 0.7;
-/// Gap within which hands do not rest between two strokes, seconds; see the planner's sinking.
-const JOINED_SECS: f64 = 2.3;
 
 /// Rest posture of one arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -370,6 +369,12 @@ fn busy_spans(script: &ArmScript) -> Vec<(f64, f64)> {
     let mut spans: Vec<(f64, f64)> = script
         .strokes
         .iter()
+        .filter(|stroke| {
+            let is_in = |span: &TimeSpan| {
+                span.start_secs <= stroke.start_secs && stroke.start_secs <= span.end_secs
+            };
+            script.on.is_empty() || script.on.iter().any(is_in)
+        })
         .filter_map(|stroke| {
             let times = stroke.keys.iter().map(|key| key.time_secs);
             let all = times.chain([stroke.start_secs, stroke.end_secs]);
@@ -386,7 +391,7 @@ fn busy_spans(script: &ArmScript) -> Vec<(f64, f64)> {
     let mut joined: Vec<(f64, f64)> = Vec::with_capacity(spans.len());
     for (from, to) in spans {
         match joined.last_mut() {
-            Some(last) if from - last.1 < JOINED_SECS => last.1 = last.1.max(to),
+            Some(last) if from - last.1 < SINK_SECS => last.1 = last.1.max(to),
             _ => joined.push((from, to)),
         }
     }

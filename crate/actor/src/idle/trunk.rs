@@ -51,11 +51,17 @@ impl SpeechRhythm {
     /// before and after it.
     #[must_use]
     pub fn speaking(&self, time_secs: f64) -> f64 {
+        self.near(time_secs, 0.5)
+    }
+
+    /// Returns the proximity of speech at a time: 1 during speech, falling to 0 by `secs` before and
+    /// after it.
+    pub(crate) fn near(&self, time_secs: f64, secs: f64) -> f64 {
         let near = |i: usize| {
             let outside = (self.starts[i] - time_secs)
                 .max(time_secs - self.ends[i])
                 .max(0.0);
-            1.0 - raconteur_base::curve::smooth(outside / 0.5)
+            1.0 - raconteur_base::curve::smooth(outside / secs)
         };
         let i = self.starts.partition_point(|s| *s <= time_secs);
         let before = i.checked_sub(1).map_or(0.0, near);
@@ -72,7 +78,8 @@ pub struct TrunkMotion {
 }
 
 impl TrunkMotion {
-    /// Returns the breath at a time, −1 (exhaled) to 1 (inhaled) if `breathing` is calm.
+    /// Returns the breath without the phrases of speech at a time, −1 (exhaled) to 1 (inhaled) if
+    /// `breathing` is calm.
     #[must_use]
     pub fn breath(&self, rhythm: &SpeechRhythm, time_secs: f64, breathing: &Breathing) -> f64 {
         let turns = BREATH_HZ * (time_secs + breathing.lead_secs)
@@ -84,7 +91,7 @@ impl TrunkMotion {
     }
 
     /// Returns the rotations of lumbar and thoracic spine, without the head's gaze. `weight` is the
-    /// stance's, `amount` scales everything.
+    /// stance's, `amount` scales everything, `breath` is the filling of the lungs.
     #[must_use]
     pub(crate) fn turns(
         &self,
@@ -92,10 +99,9 @@ impl TrunkMotion {
         time_secs: f64,
         weight: f64,
         amount: f64,
-        (breathing, posture): (&Breathing, &BodyPosture),
+        (breath, posture): (f64, &BodyPosture),
     ) -> [DQuat; 2] {
         let n = |id: u64, hz: f64| noise::perlin(self.seed, stream::SPINE + id, hz * time_secs);
-        let breath = self.breath(rhythm, time_secs, breathing);
         let lively = 0.6 + 0.4 * rhythm.speaking(time_secs);
         // The spine compensates the tilt of the pelvis, so that the head stays over the feet.
         let lean = amount * (0.012 * n(0, 0.23) * lively) + 0.012;
@@ -118,19 +124,12 @@ impl TrunkMotion {
         [lumbar, spine(lean + l, roll + r, yaw + y)]
     }
 
-    /// Returns the elevation of one shoulder, radians; `side_id` is 0 for left, 1 for right.
+    /// Returns the elevation of one shoulder, radians; `side_id` is 0 for left, 1 for right,
+    /// `breath` the filling of the lungs.
     #[must_use]
-    pub fn shrug(
-        &self,
-        rhythm: &SpeechRhythm,
-        time_secs: f64,
-        side_id: u64,
-        amount: f64,
-        breathing: &Breathing,
-    ) -> f64 {
-        let breath = self.breath(rhythm, time_secs, breathing);
+    pub fn shrug(&self, time_secs: f64, side_id: u64, amount: f64, breath: f64) -> f64 {
         let slow = noise::perlin(self.seed, stream::SPINE + 8 + side_id, 0.14 * time_secs);
-        amount * (0.011 * breath + 0.014 * slow)
+        amount * (0.014 * breath + 0.014 * slow)
     }
 
     /// Returns the noise rotation of the head relative to the chest: pitch (positive down), roll

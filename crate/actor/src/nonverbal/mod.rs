@@ -15,6 +15,7 @@ mod gaze;
 mod head_gesture;
 mod listen;
 mod loudness;
+mod lungs;
 mod manner;
 mod negation;
 mod pitch;
@@ -31,11 +32,12 @@ use raconteur_body::face::{FaceControls, Muscle};
 use raconteur_speech::TimedUtterance;
 
 use crate::discourse::Discourse;
+use crate::superposition::SuperposedTrack;
 
 use blink::Blinks;
 use gaze::Gaze;
 pub(crate) use gaze::PlacedLook;
-pub(crate) use head_gesture::HeadGestures;
+use head_gesture::HeadGestures;
 use listen::ListenerGaze;
 use raise::Raises;
 use speech_features::SpeechFeatures;
@@ -70,6 +72,16 @@ pub struct GazeAversion {
     pub head: [f64; 2],
 }
 
+/// Movements of head and body that accompany speech.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SpeechMotion {
+    pub(crate) head: HeadGestures,
+    /// Filling of the lungs, −1 (exhaled) to 1.6 (a deep breath).
+    pub(crate) lungs: SuperposedTrack<1>,
+    /// Start times of accented syllables, ascending, seconds.
+    pub(crate) accents: Vec<f64>,
+}
+
 /// Non-verbal signals of one figure over a story: head and brow raises, gaze, blinks, thinking, lip
 /// moistening and loudness.
 #[derive(Clone, Debug)]
@@ -93,13 +105,13 @@ impl NonVerbal {
     }
 
     /// Plans everything for utterances and the discourse structure, with looks at places, sorted
-    /// by time; and the gestures of the head.
+    /// by time; and the movements of head and body that accompany them.
     pub(crate) fn in_discourse(
         speech: &[TimedUtterance],
         (discourse, looks): (&Discourse, &[PlacedLook]),
         seed: u64,
         manner: &Manner,
-    ) -> (Self, HeadGestures) {
+    ) -> (Self, SpeechMotion) {
         let manner = manner.in_range();
         let fits = |u: &&TimedUtterance| u.start_secs.abs() < MAX_TIME_SECS;
         let mut utterances: Vec<&TimedUtterance> = speech.iter().filter(fits).collect();
@@ -118,7 +130,11 @@ impl NonVerbal {
             .turns
             .iter()
             .map(|[start, _, end]| [start - before, end + after]);
-        let head = HeadGestures::new(&heard, discourse, &manner, seed);
+        let motion = SpeechMotion {
+            head: HeadGestures::new(&heard, discourse, &manner, seed),
+            lungs: lungs::track(&heard),
+            accents: heard.stresses.iter().map(|s| s.start_secs).collect(),
+        };
         let plan = Self {
             raises: Raises::new(&heard, by_sound, &manner, seed),
             thought: think::brows(&thoughts),
@@ -128,7 +144,7 @@ impl NonVerbal {
             blinks: Blinks::new(&heard, manner.blinks, seed),
             loudness,
         };
-        (plan, head)
+        (plan, motion)
     }
 
     /// Adds to the controls of a face at a time: brows raised or drawn together, lips moistened.
