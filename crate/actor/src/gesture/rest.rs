@@ -12,14 +12,12 @@ use super::rest_schedule::{RestSchedule, RestSpot};
 use crate::{ArmRig, palm};
 
 const RANDOM_DRIFT: u64 = 0xd21f7;
-/// Detour of the dominant hand on its way to or from the other hand, metres. Designed: more than
-/// the thickness of a hand.
+/// Detour of the dominant hand on its way to or from the other hand, and of a hand that leaves a
+/// hip, metres. Designed: more than the thickness of a hand.
 const DETOUR_M: f64 = 0.07;
 /// Share of a change of posture that each part of a way with one and with two places between takes.
 /// The parts overlap, so that the hand does not stop. Designed.
 const PART_SHARES: [f64; 2] = [0.64, 0.5];
-/// Share of a change with a place between in which the hand turns.
-const TURNING_SHARE: f64 = 0.5;
 /// Time that a place between adds to a change, share of its duration. Designed.
 const PART_LONGER: f64 = 0.5;
 /// Hand shapes of rests: flat with fingers together, and a loose fist.
@@ -168,13 +166,15 @@ impl RestPostures {
             from: &self.poses[before as usize],
             to: &self.poses[change.to as usize],
             via,
+            hand_between: (before != change.to && [before, change.to].contains(&RestSpot::Behind))
+                .then(|| self.poses[RestSpot::Hanging as usize].at.hand),
             detour: self.detour(before, change.to),
             share: (time_secs - change.at_secs) / secs,
         }
     }
 
-    /// Returns the detour of a hand that passes the other one on its way, metres: the dominant hand
-    /// keeps to the outside.
+    /// Returns the detour of a hand that passes the other one or the hip on its way, metres: the
+    /// dominant hand keeps to the outside.
     fn detour(&self, before: RestSpot, after: RestSpot) -> DVec3 {
         let behind = [before, after].contains(&RestSpot::Behind);
         let meets = [before, after].iter().any(|spot| {
@@ -183,11 +183,18 @@ impl RestPostures {
                 RestSpot::Clasped | RestSpot::WristHeld | RestSpot::Folded
             )
         });
-        match (self.side == self.life.dominant, behind, meets) {
+        let on_hip = [before, after].contains(&RestSpot::Hip);
+        let out = if on_hip {
+            self.side.sign() * DETOUR_M
+        } else {
+            0.0
+        };
+        let past = match (self.side == self.life.dominant, behind, meets) {
             (true, true, _) => DVec3::NEG_Z * DETOUR_M,
             (true, false, true) => DVec3::Z * DETOUR_M,
             _ => DVec3::ZERO,
-        }
+        };
+        past + DVec3::X * out
     }
 
     /// Returns the place by which a hand comes to a posture and leaves it, if not directly.
@@ -206,6 +213,8 @@ struct PostureChange<'a> {
     to: &'a SpotPose,
     /// Places between.
     via: [Option<DVec3>; 2],
+    /// Rotation of the hand on the way.
+    hand_between: Option<DQuat>,
     /// Displacement in the middle of the way, metres.
     detour: DVec3,
     /// Progress; the change is under way between 0 and 1.
@@ -213,18 +222,15 @@ struct PostureChange<'a> {
 }
 
 impl PostureChange<'_> {
-    /// Returns the rotation of the hand. A place between is passed with the rotation of the posture
-    /// that is not beyond it.
+    /// Returns the rotation of the hand. On its way behind the back it hangs.
     fn hand(&self) -> DQuat {
-        let share = match self.via {
-            [None, Some(_)] => (self.share - (1.0 - TURNING_SHARE)) / TURNING_SHARE,
-            [Some(_), None] => self.share / TURNING_SHARE,
-            _ => self.share,
+        let [from, to] = [self.from.at.hand, self.to.at.hand];
+        let Some(between) = self.hand_between else {
+            return from.slerp(to, minimum_jerk(self.share));
         };
-        self.from
-            .at
-            .hand
-            .slerp(self.to.at.hand, minimum_jerk(share))
+        let part = PART_SHARES[0];
+        from.slerp(between, minimum_jerk(self.share / part))
+            .slerp(to, minimum_jerk((self.share - (1.0 - part)) / part))
     }
 
     /// Returns the place of the wrist, metres: a superposition of the parts of its way.
@@ -232,8 +238,9 @@ impl PostureChange<'_> {
         let (from, to) = (self.from.at.wrist, self.to.at.wrist);
         let between = self.via.iter().flatten().count();
         let s = self.share.clamp(0.0, 1.0);
-        let bump = 4.0 * s * (1.0 - s);
-        let detour = self.detour * (bump * bump);
+        // A hand leaves the hip outwards first: the bump grows before the way.
+        let s = minimum_jerk(s);
+        let detour = self.detour * (4.0 * s * (1.0 - s));
         let Some(part) = between.checked_sub(1).and_then(|i| PART_SHARES.get(i)) else {
             return from.lerp(to, minimum_jerk(self.share)) + detour;
         };
@@ -276,9 +283,9 @@ impl Measures {
         let scale = self.scale;
         [
             DVec3::new(
-                sign * (self.column + 0.075 * scale),
-                self.waist - 0.1 * scale,
-                self.shoulder.z - 0.04 * scale,
+                sign * (self.column + 0.14 * scale),
+                self.waist - 0.07 * scale,
+                self.shoulder.z - 0.05 * scale,
             ),
             DVec3::new(
                 sign * 0.17 * scale,
@@ -358,29 +365,29 @@ impl Measures {
             ),
             RestSpot::Hip => (
                 [
-                    self.column + 0.01 * scale,
+                    self.column + 0.043 * scale,
                     self.waist + 0.005 * scale,
                     self.shoulder.z + 0.03 * scale,
                 ],
-                [-0.55, -0.6, 0.6],
-                [-0.8, 0.1, -0.6],
+                [-0.3, -0.5, 0.82],
+                [-0.95, -0.05, -0.3],
                 Some(LOOSE_FIST),
             ),
             RestSpot::Pocket => (
                 [
-                    self.column + 0.012 * scale,
+                    self.column + 0.037 * scale,
                     self.waist - 0.13 * scale,
                     self.shoulder.z + 0.03 * scale,
                 ],
-                [-0.3, -0.93, 0.2],
-                [-0.92, 0.25, -0.3],
+                [-0.06, -0.97, 0.22],
+                [-0.95, 0.05, -0.3],
                 Some(FLAT),
             ),
             RestSpot::Behind => (
                 [
                     (0.075 + 0.02 * nearer) * scale,
                     self.waist - 0.06 * scale,
-                    self.back - (0.055 + 0.035 * nearer) * scale,
+                    self.back - (0.09 + 0.035 * nearer) * scale,
                 ],
                 [-0.8, -0.55, 0.1],
                 [-0.1, 0.15, -1.0],

@@ -15,6 +15,8 @@ use crate::idle::stream;
 pub(super) const CHANGE_SECS: f64 = 1.4;
 /// Lag of the other hand behind the dominant one, seconds. Designed.
 const LAG_SECS: f64 = 0.14;
+/// Time for a posture between two others, seconds. Designed.
+const BETWEEN_SECS: f64 = 2.2;
 /// Time that a posture is kept without gestures, seconds. Designed.
 const KEEP_SECS: f64 = 11.0;
 /// Longest rest of one posture between two gestures, seconds; a longer gap has several. Designed.
@@ -24,7 +26,7 @@ const SHORT_SECS: f64 = 3.2;
 /// Shortest time for arms folded or behind the back, and the time before the next gesture at which
 /// they come free, seconds. Designed.
 const LONG_SECS: f64 = 6.5;
-const FREE_SECS: f64 = 2.4;
+const FREE_SECS: f64 = 2.6;
 /// Time before the first key of a stroke at which its preparation begins, at most, seconds.
 const PREPARE_SECS: f64 = 0.7;
 
@@ -153,6 +155,14 @@ impl RestSpot {
         Self::Folded,
     ];
 
+    /// Returns the posture by which an arm comes from one posture to another, if not directly:
+    /// from behind the back it hangs first.
+    fn between(self, to: Self) -> Option<Self> {
+        let is_behind = self == Self::Behind || to == Self::Behind;
+        (is_behind && self != to && self != Self::Hanging && to != Self::Hanging)
+            .then_some(Self::Hanging)
+    }
+
     /// Returns true if a gesture cannot begin from there without a detour.
     fn is_far(self) -> bool {
         matches!(self, Self::Behind | Self::Folded)
@@ -250,12 +260,19 @@ impl RestSchedule {
             self.regular(bucket as i64 - 1)[side.index()]
         };
         let lag_secs = if side == self.dominant { 0.0 } else { LAG_SECS };
-        let change = RestChange {
-            at_secs: self.tail_secs + bucket * KEEP_SECS / self.amount + lag_secs,
+        let at_secs = self.tail_secs + bucket * KEEP_SECS / self.amount + lag_secs;
+        let change = |at_secs: f64, to: RestSpot| RestChange {
+            at_secs,
             secs: CHANGE_SECS,
             to,
         };
-        (change, before)
+        match before.between(to) {
+            Some(between) if time_secs < at_secs + BETWEEN_SECS => {
+                (change(at_secs, between), before)
+            }
+            Some(between) => (change(at_secs + BETWEEN_SECS, to), between),
+            None => (change(at_secs, to), before),
+        }
     }
 
     /// Returns the posture of both arms in a bucket of the regular changes.
@@ -355,11 +372,18 @@ impl RestSchedule {
         } else {
             LAG_SECS
         };
-        self.changes[arm].push(RestChange {
-            at_secs: at_secs + lag_secs,
-            secs,
-            to,
-        });
+        let changes = &mut self.changes[arm];
+        let before = changes.last().map_or(RestSpot::Hanging, |change| change.to);
+        let mut at_secs = at_secs + lag_secs;
+        if let Some(between) = before.between(to) {
+            changes.push(RestChange {
+                at_secs,
+                secs,
+                to: between,
+            });
+            at_secs += BETWEEN_SECS;
+        }
+        changes.push(RestChange { at_secs, secs, to });
     }
 }
 
