@@ -13,6 +13,7 @@ use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::TimedUtterance;
 
 use crate::animation::Players;
+use crate::body_posture::BodyPosture;
 use crate::face::FaceRig;
 use crate::facial_behaviour::FacialBehaviour;
 use crate::gesture::contact::Contact;
@@ -27,7 +28,7 @@ use crate::lips::{LipTrack, MouthTargets};
 use crate::manipulator::Manipulators;
 use crate::nonverbal::Manner;
 use crate::performance::Performance;
-use crate::posture::{BodyPosture, Heading, Posture, Vigour, sentence_spans};
+use crate::posture::{Heading, Posture, Vigour, sentence_spans};
 
 /// Results that [`Actor`] reports in addition to the pose of a figure at one time: arm solutions,
 /// wrist errors, driven limbs, mouth targets and face controls.
@@ -194,7 +195,7 @@ impl Actor {
             let body = (skeleton, Arc::clone(rig));
             ArmPlan::with_rests(script, body, &life, Arc::clone(&rests))
         });
-        let size_at = |t: f64| vigour.at(t) * skeleton.scale();
+        let size_at = |t: f64| vigour.size_at(t) * skeleton.scale();
         for plan in &mut plans {
             plan.add_beats(feeling.accents(), &size_at);
         }

@@ -15,6 +15,7 @@
 mod actor;
 pub mod animation;
 pub mod articulation;
+mod body_posture;
 mod discourse;
 pub mod emotion;
 pub mod face;

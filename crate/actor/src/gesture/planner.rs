@@ -9,6 +9,7 @@ use super::fingers::FingerTrack;
 use super::pace::{MAX_SPEED_M_S, MAX_TURN_SPEED_RAD_S, MoveDurations, SHAPING_SECS};
 use super::path::reach_secs;
 use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, phrases};
+use super::rest_schedule::SINK_SECS;
 use super::tracks::{HandTrack, WristTrack};
 use super::{ArmScript, GesturePhase, HandKey, RestPostures, Transition};
 use crate::ArmRig;
@@ -16,8 +17,6 @@ use crate::limb::BodySpace;
 
 /// Hands flow directly into a stroke that begins this soon, seconds. Designed.
 const FLOW_SECS: f64 = 1.3;
-/// Maximum gap in which hands sink half-way to the ready place between strokes, seconds. Designed.
-pub(super) const SINK_SECS: f64 = 2.9;
 /// Maximum hold after a stroke, seconds. Designed (holds of about 0.3 to 0.6 s are common).
 const HOLD_SECS: f64 = 0.55;
 /// Sinking of a held hand, metres: no one holds perfectly still.

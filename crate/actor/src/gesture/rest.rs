@@ -154,7 +154,7 @@ impl RestPostures {
 
     /// Returns the change of posture in force at a time.
     fn change(&self, time_secs: f64) -> PostureChange<'_> {
-        let (change, before) = self.schedule.at(self.side, time_secs);
+        let (change, before) = self.schedule.change_at(self.side, time_secs);
         let via = if before == change.to {
             [None; 2]
         } else {

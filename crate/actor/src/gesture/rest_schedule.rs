@@ -7,10 +7,12 @@
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{Side, noise};
 
-use super::planner::SINK_SECS;
 use super::{ArmScript, IdleSettings, TimeSpan};
 use crate::idle::stream;
 
+/// Maximum gap in which hands sink half-way to the ready place between strokes and do not rest,
+/// seconds. Designed.
+pub(super) const SINK_SECS: f64 = 2.9;
 /// Time for changing from one posture to another, seconds. Designed.
 pub(super) const CHANGE_SECS: f64 = 1.4;
 /// Lag of the other hand behind the dominant one, seconds. Designed.
@@ -228,7 +230,7 @@ impl RestSchedule {
 
     /// Returns the change of an arm's posture that is in force at a time, and the posture before
     /// it.
-    pub(super) fn at(&self, side: Side, time_secs: f64) -> (RestChange, RestSpot) {
+    pub(super) fn change_at(&self, side: Side, time_secs: f64) -> (RestChange, RestSpot) {
         let changes = &self.changes[side.index()];
         let planned = |i: usize| {
             let before = i

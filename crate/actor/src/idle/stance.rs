@@ -8,11 +8,11 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, noise};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::stream;
+use crate::body_posture::Turn;
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::limits::limits;
 use crate::limb::two_bone::TwoBone;
 use crate::limb::{LEG_BONES, Limb, Sex};
-use crate::posture::Turn;
 
 /// Mean time that the weight stays on one foot, seconds. Designed.
 const SHIFT_SECS: f64 = 9.0;

@@ -5,8 +5,8 @@ use raconteur_base::order::sort_by_number;
 use raconteur_base::{DQuat, DVec3, noise, ops};
 
 use super::stream;
+use crate::body_posture::{BodyPosture, Turn};
 use crate::emotion::Breathing;
-use crate::posture::{BodyPosture, Turn};
 
 /// Breaths at rest, Hz (12 to 18 a minute is the adult norm).
 const BREATH_HZ: f64 = 0.25;

@@ -33,6 +33,8 @@ const TILT_RAD: f64 = 0.12;
 const POSTURE_RAD: [f64; 3] = [0.13, 0.24, 0.125];
 /// Shortest time between two postures, seconds. Designed.
 const POSTURE_APART_SECS: f64 = 1.15;
+/// Time from the start of a turn to the first posture, seconds. Designed.
+const SETTLED_SECS: f64 = 0.8;
 /// Shortest and longest movement from posture to posture, seconds. Designed.
 const POSTURE_SECS: [f64; 2] = [0.45, 0.85];
 /// Head's part in the turn to the side of a character, radians. Designed.
@@ -147,14 +149,18 @@ fn postures(
         .iter()
         .filter(|p| p.parts >= BoundaryKind::Phrases)
         .map(|p| p.end_secs);
-    let starts = heard.turns.iter().map(|turn| turn[0]);
+    let starts = heard.turns.iter().map(|turn| turn[0] + SETTLED_SECS);
     let accents = heard.stresses.iter().map(|s| s.start_secs);
+    let begins = heard
+        .turns
+        .first()
+        .map_or(0.0, |turn| turn[0] + SETTLED_SECS);
     let mut times: Vec<f64> = phrases.chain(starts).chain(accents).collect();
     raconteur_base::order::sort_by_number(&mut times, |t| *t);
     let mut targets: Vec<(f64, f64, [f64; 3])> = Vec::new();
     let (mut last, mut yaw_side) = (f64::NEG_INFINITY, 1.0);
     for at in times {
-        if at - last < POSTURE_APART_SECS {
+        if at < begins || at - last < POSTURE_APART_SECS {
             continue;
         }
         last = at;

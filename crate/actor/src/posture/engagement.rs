@@ -8,7 +8,8 @@ use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Length, noise};
 use raconteur_speech::emotion::EmotionPoint;
 
-use super::{BodyPosture, SentenceSpan, Turn, Vigour};
+use super::{SentenceSpan, Vigour};
+use crate::body_posture::{BodyPosture, Turn};
 use crate::gesture::ArmPlan;
 use crate::idle::stream;
 use crate::superposition::SuperposedTrack;
@@ -90,7 +91,7 @@ impl Engagement {
             if next.is_some_and(|next| next.at_secs - key.at_secs < 0.05) {
                 continue;
             }
-            let size = vigour.at(key.at_secs);
+            let size = vigour.size_at(key.at_secs);
             let target = posture_for(key, other.as_ref(), seed).map(|x| size * x);
             let secs = (key.at_secs - before).clamp(MOVE_SECS[0], MOVE_SECS[1]);
             targets.push((key.at_secs - secs, secs, target));
@@ -222,14 +223,15 @@ pub(super) fn shifts(
     let mut side = 1.0;
     for (i, sentence) in sentences.iter().enumerate() {
         let start = sentence.start_secs;
-        if start - last_secs < SHIFT_APART_SECS {
+        // The posture at the beginning is that of waiting.
+        if i == 0 || start - last_secs < SHIFT_APART_SECS {
             continue;
         }
         last_secs = start;
         let bucket = (1e3 * start).round() as i64;
         let r = |id: u64| noise::unit(seed, stream::SHIFT + id, bucket);
         side = -side;
-        let size = vigour.at(start);
+        let size = vigour.size_at(start);
         let [lean, roll, yaw] = SHIFT_RAD.map(|x| size * x);
         targets.push((
             start - 0.3,

@@ -114,7 +114,7 @@ impl Heading {
 fn turns(roles: &[RoleSpan], vigour: &Vigour<'_>) -> Vec<(f64, f64, [f64; 1])> {
     let mut targets = Vec::new();
     for (i, role) in roles.iter().enumerate() {
-        let size = ROLE_TURN_RAD * role.side * vigour.at(role.start_secs).min(1.2);
+        let size = ROLE_TURN_RAD * role.side * vigour.size_at(role.start_secs).min(1.2);
         targets.push((role.start_secs - TURN_LEAD_SECS, TURN_SECS, [size]));
         let goes_on = roles
             .get(i + 1)

@@ -13,6 +13,7 @@ mod sentences;
 
 use raconteur_speech::emotion::EmotionPoint;
 
+use crate::body_posture::BodyPosture;
 use crate::discourse::Discourse;
 use crate::facial_behaviour::FacialBehaviour;
 use crate::gesture::ArmPlan;
@@ -28,27 +29,6 @@ pub(crate) use sentences::{SentenceSpan, sentence_spans};
 const SIZE_BY_ACTIVATION: f64 = 0.3;
 /// Share of the movements that sorrow removes. Designed.
 const SORROW_STILLS: f64 = 0.75;
-
-/// Lean, roll and yaw of one part of the body, radians: forwards, to the left side, to the left.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Turn {
-    pub(crate) lean: f64,
-    pub(crate) roll: f64,
-    pub(crate) yaw: f64,
-}
-
-/// Contribution of posture to the body at one time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct BodyPosture {
-    /// Pelvis on the feet.
-    pub(crate) pelvis: Turn,
-    /// Lumbar spine on the pelvis.
-    pub(crate) lumbar: Turn,
-    /// Chest on the lumbar spine.
-    pub(crate) thoracic: Turn,
-    /// Elevation of the left and right shoulder, radians.
-    pub(crate) shrug: [f64; 2],
-}
 
 /// Planned posture of a performance.
 #[derive(Clone, Debug, Default)]
@@ -67,7 +47,7 @@ pub(crate) struct Vigour<'a> {
 
 impl Vigour<'_> {
     /// Returns the factor on body movements at a time; 1 in ordinary lively telling.
-    pub(crate) fn at(&self, time_secs: f64) -> f64 {
+    pub(crate) fn size_at(&self, time_secs: f64) -> f64 {
         let tense = self.discourse.size_at(time_secs);
         let felt = self.feeling.affect(time_secs);
         let lively = 1.0 + SIZE_BY_ACTIVATION * felt.activation / 100.0;
