@@ -129,7 +129,7 @@ impl TrunkMotion {
     #[must_use]
     pub fn shrug(&self, time_secs: f64, side_id: u64, amount: f64, breath: f64) -> f64 {
         let slow = noise::perlin(self.seed, stream::SPINE + 8 + side_id, 0.14 * time_secs);
-        amount * (0.014 * breath + 0.014 * slow)
+        amount * (0.011 * breath + 0.014 * slow)
     }
 
     /// Returns the noise rotation of the head relative to the chest: pitch (positive down), roll

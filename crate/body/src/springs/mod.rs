@@ -29,6 +29,9 @@ const MAX_SWING_COS: f64 = 0.956;
 const MAX_PUSH_COS: f64 = 0.866;
 /// Displacement in one step from which a joint counts as teleported, metres.
 const LEAP_M: f64 = 0.3;
+/// Largest movement of an end in one step, metres: 1.8 m/s. An end that slips to the other side of a
+/// collider takes some steps. Designed.
+const MAX_STEP_M: f64 = 0.03;
 
 /// Link of a spring chain: its joint and the physical parameters of its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,6 +110,39 @@ struct HangingJoint<'a> {
     still: DVec3,
 }
 
+impl HangingJoint<'_> {
+    /// Returns the end in the direction of a point, within the range of colliders' deflection.
+    fn towards(&self, point: DVec3) -> DVec3 {
+        let direction = clamp_direction(self.still, point - self.joint, MAX_PUSH_COS);
+        self.joint + direction * self.arm.length()
+    }
+}
+
+/// Rules by which ends are placed.
+struct Placement<'a> {
+    /// Wanted position of an end, world, metres.
+    wanted: &'a dyn Fn(&HangingJoint<'_>) -> DVec3,
+    /// Positions of the ends one step before, which limit their movement. `None` places ends that
+    /// are already outside of the colliders: a blend of two states passes straight from one to the
+    /// other.
+    before: Option<&'a [DVec3]>,
+}
+
+impl Placement<'_> {
+    /// Returns a position no farther from that of the previous step than an end moves in one.
+    fn limited(&self, hung: &HangingJoint<'_>, end: DVec3) -> DVec3 {
+        let Some(before) = self.before.map(|ends| ends[hung.end]) else {
+            return end;
+        };
+        let way = end - before;
+        // A far end leaps to its rest.
+        if way.length_squared() > LEAP_M * LEAP_M {
+            return end;
+        }
+        hung.towards(before + way.clamp_length_max(MAX_STEP_M))
+    }
+}
+
 impl Springs {
     /// Returns true if the figure has no spring chains.
     #[must_use]
@@ -147,7 +183,7 @@ impl Springs {
     pub fn step(&self, skeleton: &Skeleton, world: &mut [DAffine3], swing: &mut SpringState) {
         let mut next = core::mem::take(&mut swing.next);
         let mut lines = core::mem::take(&mut swing.lines);
-        self.place(skeleton, world, &mut lines, &mut next, &|hung| {
+        let wanted = |hung: &HangingJoint<'_>| {
             let (now, before) = (swing.now[hung.end], swing.before[hung.end]);
             let rest = hung.joint + hung.arm;
             let speed = now - before;
@@ -162,7 +198,12 @@ impl Springs {
             } = *hung.link;
             let pull = hung.arm.normalize_or_zero() * stiffness + gravity;
             now + speed * (1.0 - drag) + pull / STEPS_PER_S
-        });
+        };
+        let placement = Placement {
+            wanted: &wanted,
+            before: Some(&swing.now),
+        };
+        self.place(skeleton, world, &mut lines, &mut next, &placement);
         swing.lines = lines;
         swing.next =
             core::mem::replace(&mut swing.before, core::mem::replace(&mut swing.now, next));
@@ -180,17 +221,22 @@ impl Springs {
     ) {
         let mut next = core::mem::take(&mut swing.next);
         let mut lines = core::mem::take(&mut swing.lines);
-        self.place(skeleton, world, &mut lines, &mut next, &|hung| {
+        let wanted = |hung: &HangingJoint<'_>| {
             let own = swing.position_at(hung.end, share);
             other.map_or(own, |(other, share, way)| {
                 own.lerp(other.position_at(hung.end, share), way)
             })
-        });
+        };
+        let placement = Placement {
+            wanted: &wanted,
+            before: None,
+        };
+        self.place(skeleton, world, &mut lines, &mut next, &placement);
         swing.next = next;
         swing.lines = lines;
     }
 
-    /// Places the ends of all chains, from the roots outwards: each at its `wanted` position,
+    /// Places the ends of all chains, from the roots outwards: each at its wanted position,
     /// limited by its distance and the colliders. Writes them to `ends`.
     fn place(
         &self,
@@ -198,7 +244,7 @@ impl Springs {
         world: &mut [DAffine3],
         lines: &mut Vec<[DVec3; 2]>,
         ends: &mut Vec<DVec3>,
-        wanted: &dyn Fn(&HangingJoint<'_>) -> DVec3,
+        placement: &Placement<'_>,
     ) {
         let line = |c: &Collider| c.ends.map(|e| world[c.joint].transform_point3(e));
         lines.clear();
@@ -226,7 +272,13 @@ impl Springs {
                     arm: frame.matrix3 * end_in_joint,
                     still: unturned.matrix3 * end_in_joint,
                 };
-                let end = self.kept_out(chain, lines, &hung, wanted(&hung));
+                let wanted = (placement.wanted)(&hung);
+                let end = if placement.before.is_none() {
+                    hung.towards(wanted)
+                } else {
+                    self.kept_out(chain, lines, &hung, wanted)
+                };
+                let end = placement.limited(&hung, end);
                 ends.push(end);
                 world[link.joint] = turned(frame, hung.arm, end - hung.joint);
             }
@@ -265,7 +317,7 @@ impl Springs {
                 break;
             }
         }
-        hung.joint + clamp_direction(hung.still, end - hung.joint, MAX_PUSH_COS) * length
+        hung.towards(end)
     }
 }
 
