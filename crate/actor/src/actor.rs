@@ -3,6 +3,7 @@
 mod arms;
 mod face;
 mod gaze;
+mod plans;
 
 use std::sync::Arc;
 
@@ -17,18 +18,17 @@ use crate::body_posture::BodyPosture;
 use crate::face::FaceRig;
 use crate::facial_behaviour::FacialBehaviour;
 use crate::gesture::contact::Contact;
-use crate::gesture::second_hand;
 use crate::gesture::smoothing::JumpSmoothing;
-use crate::gesture::{ArmPlan, ArmScript, IdleSettings, RestSchedule};
+use crate::gesture::{ArmPlan, IdleSettings};
 use crate::idle::stance::{Stance, Support};
 use crate::idle::trunk::{SpeechRhythm, TrunkMotion};
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::{ARM_BONES, ArmRig, ArmSolution, BodySpace};
 use crate::lips::{LipTrack, MouthTargets};
 use crate::manipulator::Manipulators;
-use crate::nonverbal::Manner;
 use crate::performance::Performance;
-use crate::posture::{Heading, Posture, Vigour, sentence_spans};
+use crate::posture::{Heading, Posture};
+use plans::BodyPlans;
 
 /// Results that [`Actor`] reports in addition to the pose of a figure at one time: arm solutions,
 /// wrist errors, driven limbs, mouth targets and face controls.
@@ -106,38 +106,12 @@ struct BodyMotion {
     manipulators: Manipulators,
 }
 
-/// Returns the arm scripts in the axes of a figure that the performance moves about, at its first
-/// place and heading.
-fn scripts_in_figure(performance: &Performance, heading: &Heading) -> [ArmScript; 2] {
-    let way = performance.manipulators.figure_from_world();
-    performance.arms.each_ref().map(|script| {
-        script.from_viewpoint(|t| {
-            let carried = heading.carry(t).inverse();
-            match &way {
-                Some(way) => carried * way(t),
-                None => carried,
-            }
-        })
-    })
-}
-
 /// Returns the amount of motion of a performance, clamped to 0 to 1; 1 if it is not finite.
 fn motion_amount(performance: &Performance) -> f64 {
     if performance.motion_amount.is_finite() {
         performance.motion_amount.clamp(0.0, 1.0)
     } else {
         1.0
-    }
-}
-
-/// Returns the manner with its amounts of head, brow, blink and gaze motion multiplied by `amount`.
-fn scaled_manner(manner: &Manner, amount: f64) -> Manner {
-    Manner {
-        head: amount * manner.head,
-        brows: amount * manner.brows,
-        blinks: amount * manner.blinks,
-        gaze: amount * manner.gaze,
-        ..*manner
     }
 }
 
@@ -154,7 +128,6 @@ impl Actor {
             .map(|u| (u.start_secs, u.end_secs()))
             .collect();
         let amount = motion_amount(performance);
-        let manner = scaled_manner(&performance.manner, amount);
         let life = IdleSettings {
             seed,
             amount,
@@ -164,45 +137,12 @@ impl Actor {
         let rigs = ArmRig::both(skeleton, build);
         let space = *rigs[0].space();
         let way = &performance.manipulators;
-        let is_moved = !(way.moves.is_empty()
-            && way.commands.is_empty()
-            && performance.players.commands.is_empty());
-        let discourse = performance.discourse.usable();
-        let skull = world_from_bone(skeleton, &Pose::zero(), Bone::Skull);
-        let eyes = skull.translation + EYES_FROM_SKULL_M;
-        let feeling = FacialBehaviour::new(performance, &discourse, &manner, eyes);
-        let vigour = Vigour {
-            discourse: &discourse,
-            feeling: &feeling,
-            amount,
-        };
-        let sentences = sentence_spans(&performance.speech, &discourse.paragraphs);
-        let lumbar = world_from_bone(skeleton, &Pose::zero(), Bone::Lumbar).translation;
-        let heading = Heading::new(
-            &sentences,
-            &discourse.roles,
-            &vigour,
-            (skeleton.scale(), DVec3::new(0.0, 0.0, lumbar.z)),
-            (seed, !is_moved),
-        );
-        let mut arms = scripts_in_figure(performance, &heading);
-        if amount > 0.0 {
-            second_hand::vary(&mut arms, life.dominant, (seed, skeleton.scale()));
-        }
-        let rests = Arc::new(RestSchedule::new(&arms, &life));
-        let mut plans = rigs.each_ref().map(|rig| {
-            let script = &arms[rig.side().index()];
-            let body = (skeleton, Arc::clone(rig));
-            ArmPlan::with_rests(script, body, &life, Arc::clone(&rests))
-        });
-        let size_at = |t: f64| vigour.size_at(t) * skeleton.scale();
-        for plan in &mut plans {
-            plan.add_beats(feeling.accents(), &size_at);
-        }
+        let is_moved = plans::is_moved(performance);
+        let plans = BodyPlans::new(performance, skeleton, &rigs, &life);
         let mut actor = Self {
-            posture: Posture::new(&plans, &sentences, &vigour, seed),
-            heading,
-            plans,
+            posture: plans.posture,
+            heading: plans.heading,
+            plans: plans.arms,
             calming: Default::default(),
             // Manipulators start from the pose of all other layers, so they come last.
             motion: is_moved.then(|| BodyMotion {
@@ -222,12 +162,12 @@ impl Actor {
             stance: Stance::new(skeleton, build.sex, seed),
             trunk: TrunkMotion { seed },
             rhythm: SpeechRhythm::new(&spans),
-            feeling,
+            feeling: plans.feeling,
             lips: speech
                 .iter()
                 .map(|u| (u.start_secs, LipTrack::new(&u.utterance.phones)))
                 .collect(),
-            skull_zero: rotation_of(&skull),
+            skull_zero: rotation_of(&world_from_bone(skeleton, &Pose::zero(), Bone::Skull)),
             seed,
             amount,
             listener_in_world: performance.listener_in_world,

@@ -295,129 +295,97 @@ impl Measures {
         ]
     }
 
-    /// Returns the pose of the hand in a rest posture. Directions are outwards, up, front. All
-    /// places are designed.
+    /// Returns the pose of the hand in a rest posture.
     fn pose(&self, spot: RestSpot) -> SpotPose {
-        let (scale, sign) = (self.scale, self.side.sign());
-        // The dominant hand is in front of the other.
-        let nearer = if self.is_dominant { 1.0 } else { 0.0 };
-        let (wrist, fingers, normal, shape) = match spot {
-            // The elbow bent by some 25°, the hand a little before the thigh.
-            RestSpot::Hanging => (
-                [
-                    (self.shoulder.x.abs() + 0.035 * scale).max(self.column + 0.03 * scale),
-                    self.shoulder.y - 0.955 * self.reach,
-                    self.shoulder.z + 0.075 * scale,
-                ],
-                [-0.04, -1.0, 0.16],
-                [-1.0, 0.0, -0.42],
-                None,
-            ),
-            RestSpot::Belly => (
-                [
-                    0.16 * scale,
-                    self.waist - 0.006 * nearer * scale,
-                    self.front + (0.055 + 0.02 * nearer) * scale,
-                ],
-                [-0.82, -0.30, 0.46],
-                [-0.40, 0.35, -1.0],
-                None,
-            ),
-            RestSpot::Clasped => (
-                [
-                    0.095 * scale,
-                    self.waist - (0.085 - 0.02 * nearer) * scale,
-                    self.hip_front + (0.035 + 0.04 * nearer) * scale,
-                ],
-                [-0.72, -0.66, 0.22],
-                [-0.25, 0.1, -1.0],
-                None,
-            ),
-            RestSpot::Fingertips => (
-                [
-                    0.125 * scale,
-                    self.waist + 0.085 * scale,
-                    self.front + 0.1 * scale,
-                ],
-                [-0.66, 0.5, 0.42],
-                [-0.8, -0.5, -0.2],
-                Some(FLAT),
-            ),
-            RestSpot::WristHeld if self.is_dominant => (
-                [
-                    0.07 * scale,
-                    self.waist - 0.035 * scale,
-                    self.hip_front + 0.085 * scale,
-                ],
-                [-0.9, -0.36, 0.0],
-                [0.0, -0.2, -1.0],
-                None,
-            ),
-            RestSpot::WristHeld => (
-                [
-                    0.115 * scale,
-                    self.waist - 0.075 * scale,
-                    self.hip_front + 0.02 * scale,
-                ],
-                [-0.45, -0.88, 0.1],
-                [-0.5, 0.1, -0.9],
-                None,
-            ),
-            RestSpot::Hip => (
-                [
-                    self.column + 0.043 * scale,
-                    self.waist + 0.005 * scale,
-                    self.shoulder.z + 0.03 * scale,
-                ],
-                [-0.3, -0.5, 0.82],
-                [-0.95, -0.05, -0.3],
-                Some(LOOSE_FIST),
-            ),
-            RestSpot::Pocket => (
-                [
-                    self.column + 0.037 * scale,
-                    self.waist - 0.13 * scale,
-                    self.shoulder.z + 0.03 * scale,
-                ],
-                [-0.06, -0.97, 0.22],
-                [-0.95, 0.05, -0.3],
-                Some(FLAT),
-            ),
-            RestSpot::Behind => (
-                [
-                    (0.075 + 0.02 * nearer) * scale,
-                    self.waist - 0.06 * scale,
-                    self.back - (0.09 + 0.035 * nearer) * scale,
-                ],
-                [-0.8, -0.55, 0.1],
-                [-0.1, 0.15, -1.0],
-                None,
-            ),
-            // Each hand at the other arm's elbow, the dominant forearm in front.
-            RestSpot::Folded => (
-                [
-                    -0.04 * scale,
-                    self.shoulder.y - (0.25 - 0.03 * nearer) * scale,
-                    self.chest_front + (0.035 + 0.075 * nearer) * scale,
-                ],
-                [-0.94, 0.1, -0.3],
-                [-0.25, -0.25, -0.94],
-                None,
-            ),
-        };
+        let sign = self.side.sign();
         let out = |[x, y, z]: [f64; 3]| DVec3::new(x * sign, y, z);
+        let [fingers, normal] = self.directions(spot);
         let hand = palm::from_directions(self.side, out(fingers), out(normal));
-        let shape = shape
-            .and_then(HandShape::get)
-            .map_or_else(RestPostures::shape, |shape| {
-                RestPostures::shape().lerp(shape.angles(), 0.7)
-            });
+        let shape = match spot {
+            RestSpot::Fingertips | RestSpot::Pocket => HandShape::get(FLAT),
+            RestSpot::Hip => HandShape::get(LOOSE_FIST),
+            _ => None,
+        };
+        let relaxed = RestPostures::shape();
         SpotPose {
             at: RestingHand {
-                wrist: out(wrist),
+                wrist: out(self.place(spot)),
                 hand: hand.unwrap_or(DQuat::IDENTITY),
             },
-            shape,
+            shape: shape.map_or(relaxed, |shape| relaxed.lerp(shape.angles(), 0.7)),
+        }
+    }
+
+    /// Returns the place of the wrist in a rest posture: outwards, up, front, metres. Designed.
+    fn place(&self, spot: RestSpot) -> [f64; 3] {
+        let scale = self.scale;
+        // The dominant hand is in front of the other.
+        let nearer = if self.is_dominant { 1.0 } else { 0.0 };
+        match spot {
+            // The elbow bent by some 25°, the hand a little before the thigh.
+            RestSpot::Hanging => [
+                (self.shoulder.x.abs() + 0.035 * scale).max(self.column + 0.03 * scale),
+                self.shoulder.y - 0.955 * self.reach,
+                self.shoulder.z + 0.075 * scale,
+            ],
+            RestSpot::Belly => [
+                0.16 * scale,
+                self.waist - 0.006 * nearer * scale,
+                self.front + (0.055 + 0.02 * nearer) * scale,
+            ],
+            RestSpot::Clasped => [
+                0.095 * scale,
+                self.waist - (0.085 - 0.02 * nearer) * scale,
+                self.hip_front + (0.035 + 0.04 * nearer) * scale,
+            ],
+            RestSpot::Fingertips => [
+                0.125 * scale,
+                self.waist + 0.085 * scale,
+                self.front + 0.1 * scale,
+            ],
+            RestSpot::WristHeld => [
+                (0.115 - 0.045 * nearer) * scale,
+                self.waist - (0.075 - 0.04 * nearer) * scale,
+                self.hip_front + (0.02 + 0.065 * nearer) * scale,
+            ],
+            RestSpot::Hip => [
+                self.column + 0.043 * scale,
+                self.waist + 0.005 * scale,
+                self.shoulder.z + 0.03 * scale,
+            ],
+            RestSpot::Pocket => [
+                self.column + 0.037 * scale,
+                self.waist - 0.13 * scale,
+                self.shoulder.z + 0.03 * scale,
+            ],
+            RestSpot::Behind => [
+                (0.075 + 0.02 * nearer) * scale,
+                self.waist - 0.06 * scale,
+                self.back - (0.09 + 0.035 * nearer) * scale,
+            ],
+            // Each hand at the other arm's elbow, the dominant forearm in front.
+            RestSpot::Folded => [
+                -0.04 * scale,
+                self.shoulder.y - (0.25 - 0.03 * nearer) * scale,
+                self.chest_front + (0.035 + 0.075 * nearer) * scale,
+            ],
+        }
+    }
+
+    /// Returns the directions of the fingers and of the palm's normal in a rest posture: outwards,
+    /// up, front. Designed.
+    fn directions(&self, spot: RestSpot) -> [[f64; 3]; 2] {
+        match spot {
+            RestSpot::Hanging => [[-0.04, -1.0, 0.16], [-1.0, 0.0, -0.42]],
+            RestSpot::Belly => [[-0.82, -0.30, 0.46], [-0.40, 0.35, -1.0]],
+            RestSpot::Clasped => [[-0.72, -0.66, 0.22], [-0.25, 0.1, -1.0]],
+            RestSpot::Fingertips => [[-0.66, 0.5, 0.42], [-0.8, -0.5, -0.2]],
+            RestSpot::WristHeld if self.is_dominant => [[-0.9, -0.36, 0.0], [0.0, -0.2, -1.0]],
+            RestSpot::WristHeld => [[-0.45, -0.88, 0.1], [-0.5, 0.1, -0.9]],
+            RestSpot::Hip => [[-0.3, -0.5, 0.82], [-0.95, -0.05, -0.3]],
+            RestSpot::Pocket => [[-0.06, -0.97, 0.22], [-0.95, 0.05, -0.3]],
+            RestSpot::Behind => [[-0.8, -0.55, 0.1], [-0.1, 0.15, -1.0]],
+            RestSpot::Folded => [[-0.94, 0.1, -0.3], [-0.25, -0.25, -0.94]],
         }
     }
 }

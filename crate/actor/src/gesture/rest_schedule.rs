@@ -336,8 +336,8 @@ impl RestSchedule {
             // From postures that hold the arms back, they come free before the next gesture.
             if spots.iter().any(|spot| spot.is_far()) {
                 spots = [RestSpot::Hanging; 2];
-                for arm in 0..2 {
-                    self.change(arm, gap.end_secs - FREE_SECS, CHANGE_SECS, spots[arm]);
+                for (arm, to) in spots.into_iter().enumerate() {
+                    self.change(arm, gap.end_secs - FREE_SECS, CHANGE_SECS, to);
                 }
             }
         }

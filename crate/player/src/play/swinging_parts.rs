@@ -1,7 +1,8 @@
 //! Swinging hair over time: steps of its chains that follow the clock.
 
-use raconteur_base::DAffine3;
 use raconteur_base::curve::minimum_jerk;
+use raconteur_base::{DAffine3, DQuat};
+use raconteur_body::skeleton::Drive;
 use raconteur_body::springs::{STEPS_PER_S, SpringState};
 use raconteur_body::{Skeleton, Springs};
 
@@ -98,5 +99,26 @@ impl SwingingParts {
         let (now, next) = self.segments.states_mut();
         let other = (left < BLEND).then_some((next, share, way));
         springs.show(skeleton, joints, now, share, other);
+    }
+}
+
+/// Blends the rotations of spring joints towards those of another pose of the skeleton by a share.
+/// `original` is a buffer.
+pub(crate) fn blend_chains(
+    skeleton: &Skeleton,
+    joints: &mut [DAffine3],
+    (towards, share): (&[DAffine3], f64),
+    original: &mut Vec<DAffine3>,
+) {
+    original.clear();
+    original.extend_from_slice(joints);
+    for (i, joint) in skeleton.joints().iter().enumerate() {
+        let (Some(parent), Drive::Spring(..)) = (joint.parent, joint.drive) else {
+            continue;
+        };
+        let [own, other] = [&original[..], towards].map(|pose| pose[parent].inverse() * pose[i]);
+        let [from, to] = [own, other].map(|local| DQuat::from_mat3(&local.matrix3));
+        let turned = from.slerp(to, share).normalize();
+        joints[i] = joints[parent] * DAffine3::from_rotation_translation(turned, own.translation);
     }
 }

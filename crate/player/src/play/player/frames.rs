@@ -105,12 +105,18 @@ impl Player {
             figure.skeleton.solve(pose, out);
         };
         let of = (&figure.skeleton, &figure.springs);
-        sway.advance_to(
-            of,
-            time_secs,
-            &mut posture,
-            &mut self.frame.world_from_joint,
-        );
+        let joints = &mut self.frame.world_from_joint;
+        sway.advance_to(of, time_secs, &mut posture, joints);
+        let Some(welcome) = &mut self.idle else {
+            return;
+        };
+        let (layers, room) = (&mut self.actors, &mut self.scratch);
+        let mut story = |t: f64, out: &mut Vec<DAffine3>| {
+            let (pose, weights) = (&mut room.pose, &mut room.morph_weights);
+            layers.evaluate(&figure.skeleton, face, t, pose, weights);
+            figure.skeleton.solve(pose, out);
+        };
+        welcome.blend_hair(of, time_secs, &mut story, joints);
     }
 
     /// Updates the lines of the face's tissue, if they are visible.

@@ -9,13 +9,13 @@ use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DAffine3, DQuat, DVec3, Length};
 use raconteur_body::face::FaceControls;
-use raconteur_body::{Bone, Pose, Skeleton};
+use raconteur_body::{Bone, Pose, Skeleton, Springs};
 use raconteur_stage::Frame;
 
 use super::Player;
 use crate::play::crossfade::{EvaluatedPose, ease};
 use crate::play::soft::SoftFace;
-use crate::play::swinging_parts::SwingingParts;
+use crate::play::swinging_parts::{Posture, SwingingParts, blend_chains};
 
 /// Duration of the transition from the welcome into the story, seconds. Designed: before the first
 /// word of most stories.
@@ -54,6 +54,16 @@ pub(super) struct IdleBehaviour {
     spare: EvaluatedPose,
     /// Swinging hair of the figure; `None` if it has none.
     sway: Option<SwingingParts>,
+    /// Hair of the story alone while the welcome fades.
+    leaving: Option<LeavingHair>,
+}
+
+/// Hair of the story without the welcome, to which the hair is blended while the welcome fades:
+/// strands may come to rest at another side of a shoulder.
+struct LeavingHair {
+    sway: SwingingParts,
+    joints: Vec<DAffine3>,
+    original: Vec<DAffine3>,
 }
 
 impl IdleBehaviour {
@@ -109,6 +119,27 @@ impl IdleBehaviour {
             morph_weights: were,
         } = &mut self.room;
         mix(from, were, pose, morph_weights, share);
+    }
+
+    /// Blends the hair of a frame to that of the story alone at a story time. `story` solves the
+    /// story's joints at a time.
+    pub(super) fn blend_hair(
+        &mut self,
+        (skeleton, springs): (&Skeleton, &Springs),
+        time_secs: f64,
+        story: &mut Posture<'_>,
+        joints: &mut [DAffine3],
+    ) {
+        let (Some(left_secs), Some(leaving)) = (self.left_secs, &mut self.leaving) else {
+            return;
+        };
+        let share = minimum_jerk((time_secs - left_secs) / GONE_SECS);
+        story(time_secs, &mut leaving.joints);
+        leaving
+            .sway
+            .advance_to((skeleton, springs), time_secs, story, &mut leaving.joints);
+        let towards = (&leaving.joints[..], share);
+        blend_chains(skeleton, joints, towards, &mut leaving.original);
     }
 
     /// Controls of the face at a story time, from the story's own.
@@ -285,6 +316,8 @@ impl Player {
 
     fn prepare_welcome(&self, asked_secs: Option<f64>) -> IdleBehaviour {
         let tissue = self.cast.figure.tissue.as_ref();
+        let joints = self.cast.figure.skeleton.joints().len();
+        let hair = || SwingingParts::new(&self.cast.figure.springs, joints);
         IdleBehaviour {
             actor: self.waiting_actor(None),
             before: None,
@@ -299,10 +332,12 @@ impl Player {
             left_secs: None,
             room: EvaluatedPose::new(self.cast.morphs()),
             spare: EvaluatedPose::new(self.cast.morphs()),
-            sway: SwingingParts::new(
-                &self.cast.figure.springs,
-                self.cast.figure.skeleton.joints().len(),
-            ),
+            sway: hair(),
+            leaving: hair().map(|sway| LeavingHair {
+                sway,
+                joints: Vec::with_capacity(joints),
+                original: Vec::with_capacity(joints),
+            }),
         }
     }
 
