@@ -29,7 +29,7 @@ const MAX_SWING_COS: f64 = 0.956;
 const MAX_PUSH_COS: f64 = 0.866;
 /// Displacement in one step from which a joint counts as teleported, metres.
 const LEAP_M: f64 = 0.3;
-/// Largest movement of an end in one step, metres: 1.8 m/s. An end that slips to the other side of a
+/// Largest movement of an end relative to its joint in one step, metres: 1.8 m/s. An end that slips to the other side of a
 /// collider takes some steps. Designed.
 const MAX_STEP_M: f64 = 0.03;
 
@@ -102,6 +102,8 @@ struct HangingJoint<'a> {
     link: &'a SpringLink,
     /// Index of the end.
     end: usize,
+    /// True for the first joint of a chain.
+    is_first: bool,
     /// World, metres.
     joint: DVec3,
     /// Vector from the joint to its end at rest, world, metres.
@@ -129,17 +131,21 @@ struct Placement<'a> {
 }
 
 impl Placement<'_> {
-    /// Returns a position no farther from that of the previous step than an end moves in one.
+    /// Returns a position no farther from that of the previous step, relative to the joint, than an
+    /// end moves in one.
     fn limited(&self, hung: &HangingJoint<'_>, end: DVec3) -> DVec3 {
-        let Some(before) = self.before.map(|ends| ends[hung.end]) else {
+        let Some((before, joint_before)) = self.before.and_then(|ends| {
+            let above = hung.end.checked_sub(1).filter(|_| !hung.is_first)?;
+            Some((ends[hung.end], ends[above]))
+        }) else {
             return end;
         };
-        let way = end - before;
-        // A far end leaps to its rest.
-        if way.length_squared() > LEAP_M * LEAP_M {
+        let carried = hung.joint + (before - joint_before);
+        let way = end - carried;
+        if way.length_squared() <= MAX_STEP_M * MAX_STEP_M {
             return end;
         }
-        hung.towards(before + way.clamp_length_max(MAX_STEP_M))
+        hung.towards(carried + way.clamp_length_max(MAX_STEP_M))
     }
 }
 
@@ -258,7 +264,7 @@ impl Springs {
         };
         for chain in &self.chains {
             let mut still = None;
-            for pair in chain.links.windows(2) {
+            for (i, pair) in chain.links.windows(2).enumerate() {
                 let link = &pair[0];
                 let frame = hang(world, link.joint);
                 let local = skeleton.local(&joints[link.joint], DQuat::IDENTITY, DQuat::IDENTITY);
@@ -268,6 +274,7 @@ impl Springs {
                 let hung = HangingJoint {
                     link,
                     end: ends.len(),
+                    is_first: i == 0,
                     joint: frame.translation,
                     arm: frame.matrix3 * end_in_joint,
                     still: unturned.matrix3 * end_in_joint,
