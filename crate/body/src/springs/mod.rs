@@ -29,9 +29,9 @@ const MAX_SWING_COS: f64 = 0.956;
 const MAX_PUSH_COS: f64 = 0.866;
 /// Displacement in one step from which a joint counts as teleported, metres.
 const LEAP_M: f64 = 0.3;
-/// Largest movement of an end relative to its joint in one step, metres: 1.8 m/s. An end that slips to the other side of a
+/// Largest movement of an end relative to its joint in one step, metres: 0.9 m/s. An end that slips to the other side of a
 /// collider takes some steps. Designed.
-const MAX_STEP_M: f64 = 0.03;
+const MAX_STEP_M: f64 = 0.015;
 
 /// Link of a spring chain: its joint and the physical parameters of its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
