@@ -99,6 +99,9 @@ const BREATH_NEAR_SECS: f64 = 1.5;
 /// Middle of the eyes from the skull's joint in the zero pose, metres.
 const EYES_FROM_SKULL_M: DVec3 = DVec3::new(0.0, 0.07, 0.08);
 
+/// Largest weight on one foot, as a share of the ordinary one in rest.
+const MAX_WEIGHT: f64 = 1.3;
+
 /// Players and manipulators of one performance.
 #[derive(Clone, Debug)]
 struct BodyMotion {
@@ -181,10 +184,10 @@ impl Actor {
         }
         let manipulators = actor.motion.as_ref().map(|motion| {
             let idle = |t: f64, pose: &mut Pose| {
-                actor.trunk(skeleton, t, pose);
+                let posture = actor.trunk(skeleton, t, pose);
                 let animated = motion.players.apply(skeleton, t, pose);
                 let animated = animated.as_ref();
-                actor.arms(skeleton, t, animated, pose);
+                actor.arms(skeleton, t, (animated, &posture), pose);
                 actor.head(skeleton, t, actor.listener_in_world, animated, pose);
             };
             Manipulators::new(way, skeleton, build.sex, actor.rigs.clone(), &idle)
@@ -201,13 +204,14 @@ impl Actor {
         Side::BOTH.map(|side| {
             let arm_at = |t: f64| {
                 let mut pose = Pose::zero();
-                self.trunk(skeleton, t, &mut pose);
+                let posture = self.trunk(skeleton, t, &mut pose);
                 let motion = self.motion.as_ref();
                 let animated = motion.and_then(|m| m.players.apply(skeleton, t, &mut pose));
                 if let Some(motion) = motion {
                     motion.manipulators.lean(skeleton, t, &mut pose);
                 }
-                let (arms, ..) = self.arms(skeleton, t, animated.as_ref(), &mut pose);
+                let with = (animated.as_ref(), &posture);
+                let (arms, ..) = self.arms(skeleton, t, with, &mut pose);
                 arms[side.index()]
             };
             let moving = self.plans[side.index()].moving();
@@ -277,14 +281,15 @@ impl Actor {
             Some(moved) => moved.inverse().transform_point3(self.listener_in_world),
             None => self.listener_in_world,
         };
-        self.trunk(skeleton, t, pose);
+        let posture = self.trunk(skeleton, t, pose);
         let motion = self.motion.as_ref();
         let animated = motion.and_then(|motion| motion.players.apply(skeleton, t, pose));
         let animated = animated.as_ref();
         if let Some(motion) = motion {
             motion.manipulators.lean(skeleton, t, pose);
         }
-        let (arms, mut wrist_goals_in_world, rest_shares) = self.arms(skeleton, t, animated, pose);
+        let (arms, mut wrist_goals_in_world, rest_shares) =
+            self.arms(skeleton, t, (animated, &posture), pose);
         let led = motion.map_or([None; 4], |motion| {
             motion.manipulators.limbs(skeleton, t, pose)
         });
@@ -356,17 +361,19 @@ impl Actor {
             .sample(t, turn_rad, &self.feeling.affect(t), self.amount)
     }
 
-    /// Poses legs and spine in their stance, sway and posture, on a zero pose.
-    fn trunk(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) {
+    /// Poses legs and spine in their stance, sway and posture, on a zero pose. Returns the posture.
+    fn trunk(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) -> BodyPosture {
         *pose = Pose::zero();
         let posture = self.posture(t);
         let (place, heading_rad) = self.heading.body(t);
-        let weight = self.heading.weight(t, self.stance.weight_at(t));
+        let idle = (self.stance.weight_at(t) + posture.weight).clamp(-MAX_WEIGHT, MAX_WEIGHT);
+        let weight = self.heading.weight(t, idle);
         let support = Support {
             weight,
             place,
             heading_rad,
             pelvis: posture.pelvis,
+            width: self.heading.stance_width(),
             feet: self.heading.feet(t),
         };
         self.stance
@@ -375,5 +382,6 @@ impl Actor {
         let [lumbar, thoracic] = (self.trunk).turns(&self.rhythm, t, weight, self.amount, with);
         pose.set(Bone::Lumbar, lumbar);
         pose.set(Bone::Thoracic, thoracic);
+        posture
     }
 }

@@ -11,6 +11,8 @@ pub(crate) struct Turn {
 /// Contribution of posture to the body at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct BodyPosture {
+    /// Weight in addition to the stance's, −1 on the right foot to 1 on the left.
+    pub(crate) weight: f64,
     /// Pelvis on the feet.
     pub(crate) pelvis: Turn,
     /// Lumbar spine on the pelvis.
@@ -19,4 +21,22 @@ pub(crate) struct BodyPosture {
     pub(crate) thoracic: Turn,
     /// Elevation of the left and right shoulder, radians.
     pub(crate) shrug: [f64; 2],
+}
+
+/// Posture of spine and shoulder girdle from a time on, in addition to other motion; angles in
+/// radians.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PostureCommand {
+    /// Start of the movement to it, story time, seconds.
+    pub start_secs: f64,
+    /// Duration of the movement, seconds, at most 3.
+    pub duration_secs: f64,
+    /// Lean of the trunk to the front.
+    pub lean_rad: f64,
+    /// Tilt of the trunk to its left.
+    pub tilt_rad: f64,
+    /// Turn of the trunk to its left.
+    pub turn_rad: f64,
+    /// Elevation of the left and right shoulder.
+    pub shoulders_rad: [f64; 2],
 }

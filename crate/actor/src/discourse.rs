@@ -5,6 +5,8 @@ use raconteur_base::DVec3;
 use raconteur_base::curve::lerp;
 use raconteur_base::order::sort_by_number;
 
+use crate::time_span::TimeSpan;
+
 /// Size of body movements at tension 0 and 1; the mean is 1 at tension 0.5. Designed after
 /// Rühlemann 2024 (doi:10.3389/fpsyg.2024.1477263): gestures grow to the climax of a story.
 const SIZE_BY_TENSION: [f64; 2] = [0.7, 1.3];
@@ -21,6 +23,8 @@ pub struct Discourse {
     pub roles: Vec<RoleSpan>,
     /// Tension over time; without keys, 0.5 throughout.
     pub tension: Vec<TensionKey>,
+    /// Intervals of hushed speech, a secret: start and end, seconds. The figure leans in.
+    pub hushed: Vec<TimeSpan>,
 }
 
 /// Mention of a referent that has a place on the stage: head and gaze turn towards it (So et al.
@@ -76,6 +80,9 @@ impl Discourse {
         for key in &mut kept.tension {
             key.tension = key.tension.clamp(0.0, 1.0);
         }
+        kept.hushed
+            .retain(|span| span.start_secs.is_finite() && span.end_secs.is_finite());
+        sort_by_number(&mut kept.hushed, |span| span.start_secs);
         sort_by_number(&mut kept.paragraphs, |t| *t);
         sort_by_number(&mut kept.mentions, |m| m.start_secs);
         sort_by_number(&mut kept.roles, |r| r.start_secs);

@@ -4,6 +4,7 @@ use raconteur_base::{DVec3, Side};
 use raconteur_speech::TimedUtterance;
 
 use crate::animation::{Library, PlayerScript};
+use crate::body_posture::PostureCommand;
 use crate::discourse::Discourse;
 use crate::emotion::EmotionSpan;
 use crate::gesture::ArmScript;
@@ -33,6 +34,10 @@ pub struct Performance {
     pub emotions: Vec<EmotionSpan>,
     /// Discourse structure of the speech.
     pub discourse: Discourse,
+    /// Formality of the occasion, 0 (casual) to 1 (formal); it prefers some rest postures.
+    pub formality: f64,
+    /// Postures of spine and shoulder girdle, in any order.
+    pub postures: Vec<PostureCommand>,
     /// Commands to control parameters.
     pub parameters: ParameterScript,
     /// Seed of all unscripted motion.
@@ -60,6 +65,8 @@ impl Default for Performance {
             speech: Vec::new(),
             emotions: Vec::new(),
             discourse: Discourse::default(),
+            formality: 0.5,
+            postures: Vec::new(),
             parameters: ParameterScript::default(),
             seed: 0,
             motion_amount: 1.0,

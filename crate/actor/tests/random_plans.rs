@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use raconteur_actor::gesture::{ArmScript, GestureStroke, HandKey, HandState, TimeSpan};
+use raconteur_actor::TimeSpan;
+use raconteur_actor::gesture::{ArmScript, GestureStroke, HandKey, HandState};
 use raconteur_actor::kinematics::world_from_bone;
 use raconteur_actor::{Actor, ArmRig, Build, FaceRig, Performance, palm};
 use raconteur_base::{DVec3, Side, noise};

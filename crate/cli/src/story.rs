@@ -13,8 +13,7 @@ use raconteur_stage::Shot;
 
 use raconteur_voice::files::{input, inside};
 
-use crate::assets;
-use crate::terminal;
+use crate::{Outcome, assets, report, terminal};
 
 /// The default performer, as in the element.
 pub(crate) const USUAL_FIGURE: &str = "sofia";
@@ -259,4 +258,29 @@ pub(crate) fn find_figure(name: &str) -> Result<Figure> {
         );
     }
     Ok(imported.figure)
+}
+
+/// Loads each story with its performer, prints its diagnostics, and plays it: `play` gets the file
+/// name of the script and the player.
+pub(crate) fn play_each(
+    paths: &[PathBuf],
+    figure: Option<&str>,
+    play: &mut dyn FnMut(String, &mut Player) -> Result<Outcome>,
+) -> Result<Outcome> {
+    let mut worst = Outcome::Fine;
+    for path in paths {
+        let files = StoryFiles::read(path)?;
+        let file = files.script.display().to_string();
+        let mut loaded = files.player(figure, Shot::Storyteller)?;
+        report::print(&file, &files.text, &loaded.diagnostics)?;
+        for outcome in [
+            report::outcome(&loaded.diagnostics),
+            play(file, &mut loaded.player)?,
+        ] {
+            if outcome == Outcome::Errors {
+                worst = Outcome::Errors;
+            }
+        }
+    }
+    Ok(worst)
 }

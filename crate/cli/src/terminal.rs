@@ -43,6 +43,15 @@ pub(crate) fn json_lines(value: &impl Serialize) -> Result<String> {
     Ok(printable_json(&serde_json::to_string_pretty(value)?).into_owned())
 }
 
+/// Returns the reports on stories as JSON on separate lines: one story is one report, several are a
+/// list of them.
+pub(crate) fn reports_json(reports: &[impl Serialize]) -> Result<String> {
+    match reports {
+        [report] => json_lines(report),
+        all => json_lines(&all),
+    }
+}
+
 /// Returns a value as single-line JSON that [`out`] prints unchanged.
 pub(crate) fn json(value: &impl Serialize) -> Result<String> {
     Ok(printable_json(&serde_json::to_string(value)?).into_owned())

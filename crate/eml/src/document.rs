@@ -7,7 +7,7 @@ use crate::clauses::functions::{FunctionArgs, VhMove};
 use crate::clauses::geometry::ConfigureGeometry;
 use crate::clauses::manipulators::{
     ConfigureManipulator, ForwardKinematics, FrameInterpolation, Jacobian, JointInterpolation,
-    Lock, ManipulatorFunction, Stop,
+    Lock, ManipulatorFunction, Posture, Stop,
 };
 use crate::clauses::parameters::{
     AdsrControlParameter, AnimateControlParameter, LoadControlParameterAnimation,
@@ -180,6 +180,8 @@ pub enum ClauseKind {
     Beat(Beat),
     /// Gives a referent of the speech a place on the stage (extension).
     Place(Box<Place>),
+    /// Moves spine and shoulder girdle to a posture (extension).
+    Posture(Box<Posture>),
     /// Elicits an emotion (extension).
     Emotion(Emotion),
     /// Sets the shot (extension).
@@ -242,6 +244,7 @@ impl ClauseKind {
             Self::VoiceChange(_) => "voice-change",
             Self::Beat(_) => "beat",
             Self::Place(_) => "place",
+            Self::Posture(_) => "posture",
             Self::Emotion(_) => "emotion",
             Self::Camera(_) => "camera",
             Self::Light(_) => "light",
@@ -284,6 +287,7 @@ impl ClauseKind {
             Self::VoiceChange(record) => record,
             Self::Beat(record) => record,
             Self::Place(record) => record.as_mut(),
+            Self::Posture(record) => record.as_mut(),
             Self::Emotion(record) => record,
             Self::Camera(record) => record,
             Self::Light(record) => record,
@@ -325,6 +329,7 @@ impl ClauseKind {
             |args: &Option<FunctionArgs>| args.as_ref().map_or(0.0, FunctionArgs::period_secs);
         match self {
             Self::GestureKey(gesture) => gesture.duration_secs,
+            Self::Posture(posture) => posture.duration_secs,
             Self::VhMove(function) => period(&function.args),
             Self::ManipulatorFunction(function) => period(&function.args),
             Self::DeterministicTrackProperty(property) => property.duration_secs,

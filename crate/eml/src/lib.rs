@@ -52,7 +52,7 @@ pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
 pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};
 pub use clauses::manipulators::{
     ConfigureManipulator, ForwardKinematics, FrameInterpolation, Jacobian, JointInterpolation,
-    Lock, MAX_COORDINATE, Manipulator, ManipulatorFunction, Stop, Target,
+    Lock, MAX_COORDINATE, Manipulator, ManipulatorFunction, Posture, Stop, Target,
 };
 pub use clauses::parameters::{
     AdsrControlParameter, AnimateControlParameter, LoadControlParameterAnimation,

@@ -1,14 +1,29 @@
 //! Arms: hand goals of gestures and rest, separated from each other and moved out of the body.
 
-use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
+use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, mirror_vector};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::Actor;
 use crate::animation::AnimatedPose;
+use crate::body_posture::BodyPosture;
 use crate::gesture::HandTarget;
 use crate::gesture::contact::TargetHand;
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::{ArmGoal, ArmSolution};
+
+/// Largest displacement of a resting hand with the other one, for a stature of 1.7 m, metres.
+const MAX_ALONG_M: f64 = 0.14;
+
+/// Moves a resting hand along with the mirrored movement of the other one, away from the body.
+fn move_along(targets: &mut [HandTarget; 2], scale: f64) {
+    let along = [1, 0].map(|other: usize| {
+        let mirrored = mirror_vector(targets[other].excursion);
+        DVec3::new(mirrored.x, mirrored.y, mirrored.z.max(0.0))
+    });
+    for (target, along) in targets.iter_mut().zip(along) {
+        target.wrist += (along * target.sympathy).clamp_length_max(MAX_ALONG_M * scale);
+    }
+}
 
 impl Actor {
     /// Poses both arms and their hands. Returns their solutions, the wrist targets, and the share
@@ -17,25 +32,25 @@ impl Actor {
         &self,
         skeleton: &Skeleton,
         t: f64,
-        animated: Option<&AnimatedPose>,
+        (animated, posture): (Option<&AnimatedPose>, &BodyPosture),
         pose: &mut Pose,
     ) -> ([ArmSolution; 2], [DVec3; 2], [f64; 2]) {
         let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
-        let targets = self.plans.each_ref().map(|plan| plan.sample(t));
+        let mut targets = self.plans.each_ref().map(|plan| plan.sample(t));
+        move_along(&mut targets, skeleton.scale());
         // A resting hand moves with the trunk, a gesturing hand with the heading of the figure.
         let moved = thorax * self.rigs[0].world_from_thorax_zero().inverse();
         let turned = rotation_of(&moved);
         let carried = [self.heading.carry(t), moved];
         let mut hands =
             Side::BOTH.map(|side| self.place(side, &targets[side.index()], &carried, turned));
-        let shrugs = self.posture(t).shrug;
         let breath = self.breath(t);
         let solve = |side: Side, hand: &TargetHand| {
             let i = side.index();
             let goal = ArmGoal {
                 wrist_in_world: hand.wrist,
                 hand_in_world: Some(hand.hand),
-                shrug_rad: shrugs[i] + self.trunk.shrug(t, i as u64, self.amount, breath),
+                shrug_rad: posture.shrug[i] + self.trunk.shrug(t, i as u64, self.amount, breath),
             };
             self.rigs[i].solve(&thorax, &goal)
         };
@@ -52,8 +67,10 @@ impl Actor {
         let axes = [turned * DVec3::X, turned * DVec3::Z];
         let apart = self.contact.apart([&met[0], &met[1]], axes);
         if apart != DVec3::ZERO {
-            hands[0].wrist += apart * 0.5;
-            hands[1].wrist -= apart * 0.5;
+            // A gesturing hand keeps its place; the resting one makes way.
+            let left = 0.5 + 0.5 * (targets[0].rest_share - targets[1].rest_share);
+            hands[0].wrist += apart * left;
+            hands[1].wrist -= apart * (1.0 - left);
             arms = Side::BOTH.map(|side| solve(side, &hands[side.index()]));
         }
         for side in Side::BOTH {

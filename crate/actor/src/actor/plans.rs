@@ -7,8 +7,9 @@ use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::EYES_FROM_SKULL_M;
 use crate::facial_behaviour::FacialBehaviour;
-use crate::gesture::second_hand;
+use crate::gesture::rest_choice::RestMood;
 use crate::gesture::{ArmPlan, ArmScript, IdleSettings, RestSchedule};
+use crate::gesture::{amplitude, deixis, second_hand};
 use crate::kinematics::world_from_bone;
 use crate::limb::ArmRig;
 use crate::nonverbal::Manner;
@@ -46,26 +47,29 @@ impl BodyPlans {
         let axis = DVec3::new(0.0, 0.0, at(Bone::Lumbar).z);
         let heading = Heading::new(
             &sentences,
-            &discourse.roles,
             &vigour,
             (skeleton.scale(), axis),
             (seed, !is_moved(performance)),
         );
         let mut scripts = scripts_in_figure(performance, &heading);
         if amount > 0.0 {
+            amplitude::scale_by_tension(&mut scripts, &discourse, skeleton.scale());
             second_hand::vary(&mut scripts, life.dominant, (seed, skeleton.scale()));
+            deixis::indicate(&mut scripts, &discourse.mentions, rigs);
         }
-        let rests = Arc::new(RestSchedule::new(&scripts, life));
+        let mood_at = |t: f64| RestMood::new(&feeling.affect(t), performance.formality);
+        let rests = Arc::new(RestSchedule::in_mood(&scripts, life, &mood_at));
         let mut arms = rigs.each_ref().map(|rig| {
             let script = &scripts[rig.side().index()];
             let body = (skeleton, Arc::clone(rig));
-            ArmPlan::with_rests(script, body, life, Arc::clone(&rests))
+            ArmPlan::with_rests(script, body, life, Arc::clone(&rests), &discourse)
         });
         let size_at = |t: f64| vigour.size_at(t) * skeleton.scale();
-        for arm in &mut arms {
-            arm.add_beats(feeling.accents(), &size_at);
+        let [left, right] = arms.each_ref().map(ArmPlan::moving);
+        for (arm, others) in arms.iter_mut().zip([right, left]) {
+            arm.add_beats(feeling.accents(), &others, &size_at);
         }
-        let posture = Posture::new(&arms, &sentences, &vigour, seed);
+        let posture = Posture::new(&arms, &sentences, &performance.postures, &vigour, seed);
         Self {
             feeling,
             heading,

@@ -2,20 +2,23 @@
 //! on other gestures).
 
 use raconteur_base::DVec3;
+use raconteur_base::order::sort_by_number;
 
 use super::tracks::WristTrack;
 use crate::superposition::SuperposedTrack;
 
 /// Height that a hand rises before a beat, and depth of the beat below its place, for a stature of
 /// 1.7 m, metres. Designed.
-const RISE_M: f64 = 0.03;
-const FALL_M: f64 = 0.03;
+const RISE_M: f64 = 0.042;
+const FALL_M: f64 = 0.042;
 /// Movement to the front with the fall, as a share of it. Designed.
 const FORWARD: f64 = 0.5;
 /// Times of rise, fall and return, seconds. Designed; strokes of beats last about 0.2 s.
 const BEAT_SECS: [f64; 3] = [0.17, 0.14, 0.26];
 /// Time between two beats of a hand at least, seconds. Designed.
 const APART_SECS: f64 = 0.5;
+/// Size of beats of a hand that rests beside the other one. Designed.
+const BESIDE_SHARE: f64 = 0.7;
 /// Margin of a hold before its first and after its last beat, seconds.
 const MARGIN_SECS: f64 = 0.04;
 /// Movement of a held hand at most, metres: no one holds perfectly still.
@@ -28,23 +31,41 @@ pub(super) struct Beats {
 }
 
 impl Beats {
-    /// Plans beats at accents, ascending times in seconds, while the hand is held. `size_at` gives
-    /// the size at a time, 1 for ordinary speech of a person 1.7 m tall.
-    pub(super) fn new(wrist: &WristTrack, accents: &[f64], size_at: &dyn Fn(f64) -> f64) -> Self {
+    /// Plans beats at accents, ascending times in seconds, while the hand is held, and smaller ones
+    /// in the spans `beside` in which it rests free beside the other one. `size_at` gives the size
+    /// at a time, 1 for ordinary speech of a person 1.7 m tall.
+    pub(super) fn new(
+        wrist: &WristTrack,
+        beside: &[(f64, f64)],
+        accents: &[f64],
+        size_at: &dyn Fn(f64) -> f64,
+    ) -> Self {
         let mut pulses = Vec::new();
         let mut last = f64::NEG_INFINITY;
-        for (from, to) in holds(wrist) {
-            let begun = accents.partition_point(|t| *t < from);
-            for accent in accents[begun..].iter().take_while(|t| **t < to) {
+        let beside = beside.iter().map(|&(from_secs, to_secs)| BeatSpan {
+            from_secs,
+            to_secs,
+            still_secs: to_secs,
+            size: BESIDE_SHARE,
+        });
+        let mut spans: Vec<BeatSpan> = holds(wrist).chain(beside).collect();
+        sort_by_number(&mut spans, |span| span.from_secs);
+        for span in spans {
+            let begun = accents.partition_point(|t| *t < span.from_secs);
+            let inside = accents[begun..].iter();
+            for accent in inside.take_while(|t| **t < span.to_secs) {
                 // The fall ends at the middle of the accent.
                 let start = accent - BEAT_SECS[0] - 0.5 * BEAT_SECS[1];
-                let end = start + BEAT_SECS.iter().sum::<f64>();
-                let fits = start >= from + MARGIN_SECS && end <= to - MARGIN_SECS;
+                // The return may be under way with the next movement, but is over at its end.
+                let falls = start + BEAT_SECS[0] + BEAT_SECS[1];
+                let fits = start >= span.from_secs + MARGIN_SECS
+                    && falls <= span.to_secs - MARGIN_SECS
+                    && falls + BEAT_SECS[2] <= span.still_secs - MARGIN_SECS;
                 if !fits || start - last < APART_SECS {
                     continue;
                 }
                 last = start;
-                let size = size_at(*accent);
+                let size = span.size * size_at(*accent);
                 let [rise, fall, back] = BEAT_SECS;
                 pulses.push((start, [rise, fall], [size * RISE_M, 0.0]));
                 let fall_m = size * FALL_M;
@@ -63,11 +84,29 @@ impl Beats {
     }
 }
 
+/// Span of time with beats.
+#[derive(Clone, Copy, Debug)]
+struct BeatSpan {
+    /// Start and end of the hold, seconds.
+    from_secs: f64,
+    to_secs: f64,
+    /// Time of the next key after it, where the hand is without beats, seconds.
+    still_secs: f64,
+    /// Size of the beats.
+    size: f64,
+}
+
 /// Returns the spans in which a hand is held in a gesture.
-fn holds(wrist: &WristTrack) -> impl Iterator<Item = (f64, f64)> {
+fn holds(wrist: &WristTrack) -> impl Iterator<Item = BeatSpan> {
     let ends = wrist.times.windows(2).zip(wrist.nodes.windows(2));
-    ends.filter_map(|(times, nodes)| {
+    ends.enumerate().filter_map(|(i, (times, nodes))| {
         let (from, to) = (nodes[0].place?, nodes[1].place?);
-        ((to - from).length_squared() < HELD_M * HELD_M).then_some((times[0], times[1]))
+        let is_held = (to - from).length_squared() < HELD_M * HELD_M;
+        is_held.then(|| BeatSpan {
+            from_secs: times[0],
+            to_secs: times[1],
+            still_secs: wrist.times.get(i + 2).copied().unwrap_or(f64::INFINITY),
+            size: 1.0,
+        })
     })
 }

@@ -7,8 +7,10 @@
 //!
 //! Wrist, hand rotation and fingers have separate timings: a turning palm does not stop the arm.
 
+pub(crate) mod amplitude;
 mod beats;
 pub mod contact;
+pub(crate) mod deixis;
 mod fingers;
 mod pace;
 mod path;
@@ -16,9 +18,12 @@ mod phrase;
 mod plan;
 mod planner;
 mod rest;
+pub(crate) mod rest_choice;
+mod rest_posture;
 mod rest_schedule;
 pub(crate) mod second_hand;
 pub(crate) mod smoothing;
+mod tempo;
 mod tracks;
 
 use raconteur_base::profile::Profile;
@@ -28,7 +33,10 @@ use raconteur_body::hand_shape::HandAngles;
 pub use plan::{ArmPlan, HandState, HandTarget};
 pub use planner::PlannedKey;
 pub use rest::{RestPostures, RestingHand};
-pub use rest_schedule::{RestPosture, RestSchedule, RestSpot};
+pub use rest_posture::{RestPosture, RestSpot};
+pub use rest_schedule::RestSchedule;
+
+use crate::time_span::TimeSpan;
 
 /// Key of a gesture: wrist position, hand rotation and hand shape of one hand at one time; an
 /// absent feature is not constrained.
@@ -109,15 +117,6 @@ pub struct GestureStroke {
     /// Velocity profile of the whole stroke, overriding the profiles of its keys: key times become
     /// places along this profile. `None` leaves them unchanged.
     pub pace: Option<Profile>,
-}
-
-/// Interval of story time, seconds; limits the times at which gestures are enabled.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TimeSpan {
-    /// Start of the interval.
-    pub start_secs: f64,
-    /// End; may be infinite.
-    pub end_secs: f64,
 }
 
 /// Settings of the arm motion of a figure at rest: random seed, amount and dominant hand.

@@ -92,7 +92,7 @@ fn arch(s: f64) -> f64 {
 /// Returns the duration of a hand movement of this length, seconds: Fitts's law (1954,
 /// doi:10.1037/h0055392) with a target width of 5 cm; slope and limits designed.
 pub(super) fn reach_secs(distance_m: f64) -> f64 {
-    (0.30 + 0.16 * ops::ln(1.0 + distance_m / 0.05) / core::f64::consts::LN_2).clamp(0.35, 0.9)
+    (0.21 + 0.13 * ops::ln(1.0 + distance_m / 0.05) / core::f64::consts::LN_2).clamp(0.28, 0.8)
 }
 
 #[cfg(test)]

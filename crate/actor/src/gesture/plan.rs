@@ -12,9 +12,11 @@ use super::beats::Beats;
 use super::fingers::FingerTrack;
 use super::path::reach_secs;
 use super::planner::{PlannedKey, Planner};
+use super::tempo::Tempo;
 use super::tracks::{HandTrack, WristTrack, piece_at};
-use super::{ArmScript, IdleSettings, RestPostures, RestSchedule};
+use super::{ArmScript, IdleSettings, RestPostures, RestSchedule, RestSpot};
 use crate::ArmRig;
+use crate::discourse::Discourse;
 
 /// Target of a hand at one time: wrist, rotation, finger angles, and the share of rest in each.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +34,14 @@ pub struct HandTarget {
     pub hand_rest_share: f64,
     /// Share of the rest posture in the fingers, 0 to 1; they may gesture while the arm rests.
     pub finger_rest_share: f64,
+    /// Share of the other hand's movements that the resting hand takes over, 0 to 1.
+    pub(crate) sympathy: f64,
+    /// Displacement of the gesturing hand from where gestures start, metres; none at rest.
+    pub(crate) excursion: DVec3,
 }
+
+/// Least share of the other hand's movements that a free resting hand takes over.
+const FREE_SYMPATHY: f64 = 0.3;
 
 /// Activity of an arm at one time: at rest or gesturing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,19 +88,21 @@ impl ArmPlan {
         let mut scripts = <[ArmScript; 2]>::default();
         scripts[rig.side().index()].clone_from(script);
         let rests = Arc::new(RestSchedule::new(&scripts, life));
-        Self::with_rests(script, (skeleton, rig), life, rests)
+        Self::with_rests(script, (skeleton, rig), life, rests, &Discourse::default())
     }
 
-    /// Plans one arm of a figure that rests by a schedule for both arms.
+    /// Plans one arm of a figure that rests by a schedule for both arms, at the tempo of a
+    /// discourse with its keys sorted by time.
     #[must_use]
     pub fn with_rests(
         script: &ArmScript,
         (skeleton, rig): (&Skeleton, Arc<ArmRig>),
         life: &IdleSettings,
         rests: Arc<RestSchedule>,
+        discourse: &Discourse,
     ) -> Self {
         let rest = RestPostures::new(skeleton, &rig, life, rests);
-        let planned = Planner::new(&rig, &rest, life.amount).plan(script);
+        let planned = Planner::new(&rig, &rest, Tempo { discourse }, life.amount).plan(script);
         let mut paces: Vec<SpeedSpan> = script
             .strokes
             .iter()
@@ -120,10 +131,22 @@ impl ArmPlan {
         }
     }
 
-    /// Adds beats to the holds of the hand, at accents in ascending order, seconds. `size_at` gives
-    /// their size at a time; 1 for ordinary speech of a person 1.7 m tall.
-    pub(crate) fn add_beats(&mut self, accents: &[f64], size_at: &dyn Fn(f64) -> f64) {
-        self.beats = Beats::new(&self.wrist, accents, size_at);
+    /// Adds beats to the holds of the hand, and to its free rests while the other one gestures, at
+    /// accents in ascending order, seconds. `others` are the intervals in which the other one
+    /// gestures. `size_at` gives the size of beats at a time; 1 for ordinary speech of a person
+    /// 1.7 m tall.
+    pub(crate) fn add_beats(
+        &mut self,
+        accents: &[f64],
+        others: &[(f64, f64)],
+        size_at: &dyn Fn(f64) -> f64,
+    ) {
+        let rests = without(others, &self.moving());
+        let is_free = |&(from, to): &(f64, f64)| {
+            self.rest.sympathy(0.5 * (from + to)) > FREE_SYMPATHY * self.rest.amount()
+        };
+        let beside: Vec<(f64, f64)> = rests.into_iter().filter(is_free).collect();
+        self.beats = Beats::new(&self.wrist, &beside, accents, size_at);
     }
 
     /// Returns the arm for which the motion is planned.
@@ -149,6 +172,8 @@ impl ArmPlan {
             rest_share,
             hand_rest_share,
             finger_rest_share,
+            sympathy: rest_share * self.rest.sympathy(time_secs),
+            excursion: (wrist - self.rest.ready()) * (1.0 - rest_share),
         }
     }
 
@@ -169,6 +194,13 @@ impl ArmPlan {
     #[must_use]
     pub fn keys(&self) -> &[PlannedKey] {
         &self.keys
+    }
+
+    /// Returns the posture in which the arm rests at a time; `None` if it is nearer to a gesture.
+    #[must_use]
+    pub fn rest_spot_at(&self, time_secs: f64) -> Option<RestSpot> {
+        let rests = self.sample(time_secs).rest_share >= 0.5;
+        rests.then(|| self.rest.spot_at(time_secs))
     }
 
     /// Returns the intervals in which wrist or hand are not at rest, story time, seconds.
@@ -221,6 +253,32 @@ impl ArmPlan {
             Some(_) => HandState::Busy,
         }
     }
+}
+
+/// Returns the parts of intervals outside others; both are sorted and do not overlap.
+fn without(spans: &[(f64, f64)], others: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut rest = Vec::new();
+    let mut next = 0;
+    for &(from, to) in spans {
+        let mut start = from;
+        while let Some(&(other_from, other_to)) = others.get(next) {
+            if other_from >= to {
+                break;
+            }
+            if other_from > start {
+                rest.push((start, other_from));
+            }
+            start = start.max(other_to);
+            if other_to > to {
+                break;
+            }
+            next += 1;
+        }
+        if start < to {
+            rest.push((start, to));
+        }
+    }
+    rest
 }
 
 /// Returns the intervals between successive keys, of which at least one end is not at rest.

@@ -2,6 +2,7 @@
 //! retraction.
 
 mod flow;
+mod hold;
 
 use raconteur_base::{DQuat, DVec3, Length, Side};
 
@@ -10,6 +11,7 @@ use super::pace::{MAX_SPEED_M_S, MAX_TURN_SPEED_RAD_S, MoveDurations, SHAPING_SE
 use super::path::reach_secs;
 use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, phrases};
 use super::rest_schedule::SINK_SECS;
+use super::tempo::Tempo;
 use super::tracks::{HandTrack, WristTrack};
 use super::{ArmScript, GesturePhase, HandKey, RestPostures, Transition};
 use crate::ArmRig;
@@ -17,12 +19,13 @@ use crate::limb::BodySpace;
 
 /// Hands flow directly into a stroke that begins this soon, seconds. Designed.
 const FLOW_SECS: f64 = 1.3;
+/// Longest gap that a hand spends at the end of a stroke and on its way to the next one, seconds; in a
+/// longer one it sinks between them. Designed.
+const STAY_SECS: f64 = 0.9;
 /// Maximum hold after a stroke, seconds. Designed (holds of about 0.3 to 0.6 s are common).
 const HOLD_SECS: f64 = 0.55;
 /// Sinking of a held hand, metres: no one holds perfectly still.
 const HOLD_DRIFT_M: f64 = 0.007;
-/// Share by which the fingers of a held hand relax towards their relaxed shape. Designed.
-const HOLD_SOFTENING: f64 = 0.16;
 /// Time for returning to rest, as a multiple of reaching the same distance: retractions
 /// are slower than preparations.
 const RETRACT_SLOWNESS: f64 = 1.25;
@@ -67,6 +70,7 @@ pub(super) struct Planner<'a> {
     rig: &'a ArmRig,
     space: &'a BodySpace,
     rest: &'a RestPostures,
+    tempo: Tempo<'a>,
     side: Side,
     amount: f64,
     out: PlannerOutput,
@@ -77,11 +81,17 @@ pub(super) struct Planner<'a> {
 }
 
 impl<'a> Planner<'a> {
-    pub(super) fn new(rig: &'a ArmRig, rest: &'a RestPostures, amount: f64) -> Self {
+    pub(super) fn new(
+        rig: &'a ArmRig,
+        rest: &'a RestPostures,
+        tempo: Tempo<'a>,
+        amount: f64,
+    ) -> Self {
         Self {
             rig,
             space: rig.space(),
             rest,
+            tempo,
             side: rig.side(),
             amount,
             out: PlannerOutput {
@@ -133,6 +143,9 @@ impl<'a> Planner<'a> {
             self.returning = false;
         }
         self.push_shapes(phrase);
+        if phrase.phase == GesturePhase::Stroke {
+            self.rebound(self.held_until(phrase, next));
+        }
         let sink = if phrase.phase == GesturePhase::Hold {
             0.0
         } else {
@@ -157,7 +170,8 @@ impl<'a> Planner<'a> {
                 if let Some(key) = key
                     && !next.includes_approach(feature)
                 {
-                    latest = latest.min(key.time_secs - way(key).easy_secs);
+                    let easy_secs = way(key).easy_secs / self.tempo.speed_at(key.time_secs);
+                    latest = latest.min(key.time_secs - easy_secs);
                 }
             };
         meet(WRIST, next.first_key(has_wrist), &|key| {
@@ -211,7 +225,7 @@ impl<'a> Planner<'a> {
             self.retract();
             return false;
         }
-        if gap <= FLOW_SECS {
+        if gap <= STAY_SECS {
             // The hand holds until it must leave.
             let depart = (next - MAX_TRAVEL_SECS)
                 .max(held_until + 0.35 * gap)
@@ -231,19 +245,6 @@ impl<'a> Planner<'a> {
         true
     }
 
-    /// Moves half-way towards the ready place.
-    fn sink(&mut self, place: DVec3, time: f64) {
-        let wrist = place.lerp(self.rest.ready(), 0.5);
-        let hand = self.out.hand.last().unwrap_or(DQuat::IDENTITY);
-        let hand = hand.slerp(self.rig.relaxed_hand(wrist), 0.4);
-        let there = self.push_wrist(time, Some(self.space.project_outside(wrist)), FREE);
-        let there = there.max(self.push_hand(time, Some(hand), FREE));
-        if let Some(shape) = self.out.fingers.last() {
-            let eased = shape.lerp(&RestPostures::shape(), 0.5);
-            self.out.fingers.push(there, Some(eased), None);
-        }
-    }
-
     /// Sets out from rest, in time to be there or when the phrase begins.
     fn set_out(&mut self, phrase: &Phrase, leads: bool) {
         let first_hand = phrase.first(has_hand).unwrap_or(f64::INFINITY);
@@ -252,8 +253,13 @@ impl<'a> Planner<'a> {
             Some((first, wrist)) => (first, self.reachable(wrist)),
             None => (first_hand, self.rest.ready()),
         };
-        let from = self.rest.sample(first - 0.6).wrist;
-        let start = (first - reach_secs(from.distance_to(to))).min(first_hand - MIN_RETURN_SECS);
+        let from = self.rest.sample(first - 0.6);
+        let way_secs = reach_secs(from.wrist.distance_to(to)) / self.tempo.speed_at(first);
+        let turned = phrase.first_key(has_hand).and_then(|key| key.hand_in_world);
+        let turn = turned.map_or_else(MoveDurations::default, |hand| {
+            MoveDurations::by_hand(from.hand, hand)
+        });
+        let start = (first - way_secs).min(first_hand - turn.easy_secs.max(MIN_RETURN_SECS));
         let start = if leads { phrase.start } else { start };
         let start = start.max(self.planned_secs());
         self.out.wrist.push(self.rig, start, None, FREE);
@@ -372,42 +378,6 @@ impl<'a> Planner<'a> {
         time
     }
 
-    /// Holds the present features until a later time, all features to the same. A held hand sinks
-    /// slightly, and its fingers relax; `share` scales this.
-    fn settle(&mut self, until: f64, share: f64) {
-        let out = &mut self.out;
-        let Some(place) = out.wrist.last() else {
-            return;
-        };
-        let until = until.max(out.wrist.last_secs()).max(out.hand.last_secs());
-        let held_secs = until - out.wrist.last_secs();
-        let share = share * self.amount * (held_secs / HOLD_SECS).min(1.0);
-        if held_secs > 0.0 {
-            let sunk = place - DVec3::Y * (HOLD_DRIFT_M * share);
-            out.wrist.push(self.rig, until, Some(sunk), FREE);
-        }
-        if until > out.hand.last_secs() {
-            let hand = out.hand.last();
-            out.hand.push(until, hand, FREE);
-        }
-        if let Some(shape) = out.fingers.last()
-            && until > out.fingers.last_secs()
-        {
-            // Fingers that have keys of their own to the end of a stroke begin to ease there.
-            let from = (until - held_secs).max(out.fingers.last_secs());
-            out.fingers.push(from, Some(shape), None);
-            let eased = shape.lerp(&RestPostures::shape(), HOLD_SOFTENING * share);
-            out.fingers.push(until, Some(eased), None);
-        }
-    }
-
-    /// Performs a scripted hold.
-    fn hold(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
-        if phrase.start - self.planned_secs() <= FLOW_SECS {
-            self.settle(self.held_until(phrase, next), 0.0);
-        }
-    }
-
     /// Performs a scripted return: after its keys to rest, or half-way there, by its end.
     fn return_to_rest(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
         self.settle(phrase.start, 1.0);
@@ -431,7 +401,7 @@ impl<'a> Planner<'a> {
     fn retract(&mut self) {
         let from = self.planned_secs();
         let hold = if self.returning { 0.0 } else { HOLD_SECS };
-        let start = (from + hold).min(self.must_end.max(from));
+        let start = (from + hold * self.tempo.hold_at(from)).min(self.must_end.max(from));
         self.settle(start, 1.0);
         let Some(place) = self.out.wrist.last() else {
             return;

@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use raconteur_base::curve::minimum_jerk;
+use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DQuat, DVec3, Side, noise};
 use raconteur_body::hand_shape::HandAngles;
 use raconteur_body::{HandShape, Skeleton};
 
 use super::IdleSettings;
-use super::rest_schedule::{RestSchedule, RestSpot};
+use super::rest_posture::RestSpot;
+use super::rest_schedule::RestSchedule;
 use crate::{ArmRig, palm};
 
 const RANDOM_DRIFT: u64 = 0xd21f7;
@@ -18,8 +19,9 @@ const DETOUR_M: f64 = 0.07;
 /// Share of a change of posture that each part of a way with one and with two places between takes.
 /// The parts overlap, so that the hand does not stop. Designed.
 const PART_SHARES: [f64; 2] = [0.64, 0.5];
-/// Time that a place between adds to a change, share of its duration. Designed.
-const PART_LONGER: f64 = 0.5;
+/// Share of the other hand's movements that a hand in front of the belly, and one that hangs, takes
+/// over. Designed.
+const SYMPATHY: [f64; 2] = [0.5, 0.2];
 /// Hand shapes of rests: flat with fingers together, and a loose fist.
 const FLAT: u8 = 1;
 const LOOSE_FIST: u8 = 57;
@@ -75,7 +77,11 @@ impl RestPostures {
             front,
             hip_front: space.front_m(waist - 0.1 * scale),
             chest_front: space.front_m(rig.shoulder_in_world().y - 0.22 * scale),
-            back: space.back_m(waist - 0.06 * scale),
+            // The hips are behind the waist.
+            back: [0.06, 0.12, 0.18]
+                .map(|below| space.back_m(waist - below * scale))
+                .into_iter()
+                .fold(f64::INFINITY, f64::min),
             is_dominant: side == life.dominant,
         };
         Self {
@@ -139,6 +145,29 @@ impl RestPostures {
         (change.from.shape).lerp(&change.to.shape, minimum_jerk(change.share))
     }
 
+    /// Returns the share of the other hand's movements that the resting hand takes over at a time:
+    /// a hand that lies nowhere moves along.
+    pub(super) fn sympathy(&self, time_secs: f64) -> f64 {
+        let change = self.change(time_secs);
+        let [from, to] = change.spots.map(|spot| match spot {
+            RestSpot::Belly => SYMPATHY[0],
+            RestSpot::Hanging => SYMPATHY[1],
+            _ => 0.0,
+        });
+        lerp(from, to, minimum_jerk(change.share)) * self.life.amount
+    }
+
+    /// Returns the amount of idle motion, 0 to 1.
+    pub(super) fn amount(&self) -> f64 {
+        self.life.amount
+    }
+
+    /// Returns the posture that a change has reached or is nearer to at a time.
+    pub(super) fn spot_at(&self, time_secs: f64) -> RestSpot {
+        let change = self.change(time_secs);
+        change.spots[usize::from(change.share >= 0.5)]
+    }
+
     /// Returns the place in front of the body from which gestures start and to which hands sink
     /// back between them, relative to the trunk of the zero pose, metres.
     #[must_use]
@@ -160,16 +189,15 @@ impl RestPostures {
         } else {
             [before, change.to].map(|spot| self.via(spot))
         };
-        let between = via.iter().flatten().count();
-        let secs = change.secs * (1.0 + PART_LONGER * between as f64);
         PostureChange {
             from: &self.poses[before as usize],
             to: &self.poses[change.to as usize],
+            spots: [before, change.to],
             via,
             hand_between: (before != change.to && [before, change.to].contains(&RestSpot::Behind))
                 .then(|| self.poses[RestSpot::Hanging as usize].at.hand),
             detour: self.detour(before, change.to),
-            share: (time_secs - change.at_secs) / secs,
+            share: (time_secs - change.at_secs) / change.length_secs(before),
         }
     }
 
@@ -211,6 +239,7 @@ impl RestPostures {
 struct PostureChange<'a> {
     from: &'a SpotPose,
     to: &'a SpotPose,
+    spots: [RestSpot; 2],
     /// Places between.
     via: [Option<DVec3>; 2],
     /// Rotation of the hand on the way.
@@ -331,7 +360,7 @@ impl Measures {
             RestSpot::Belly => [
                 0.16 * scale,
                 self.waist - 0.006 * nearer * scale,
-                self.front + (0.055 + 0.02 * nearer) * scale,
+                self.front + (0.064 + 0.02 * nearer) * scale,
             ],
             RestSpot::Clasped => [
                 0.095 * scale,
@@ -361,7 +390,7 @@ impl Measures {
             RestSpot::Behind => [
                 (0.075 + 0.02 * nearer) * scale,
                 self.waist - 0.06 * scale,
-                self.back - (0.09 + 0.035 * nearer) * scale,
+                self.back - (0.098 + 0.035 * nearer) * scale,
             ],
             // Each hand at the other arm's elbow, the dominant forearm in front.
             RestSpot::Folded => [

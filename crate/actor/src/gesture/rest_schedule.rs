@@ -7,6 +7,8 @@
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{Side, noise};
 
+use super::rest_choice::RestMood;
+use super::rest_posture::{RestPosture, RestSpot};
 use super::{ArmScript, IdleSettings, TimeSpan};
 use crate::idle::stream;
 
@@ -17,6 +19,8 @@ pub(super) const SINK_SECS: f64 = 2.9;
 pub(super) const CHANGE_SECS: f64 = 1.4;
 /// Lag of the other hand behind the dominant one, seconds. Designed.
 const LAG_SECS: f64 = 0.14;
+/// Time that a place between adds to a change, share of its duration. Designed.
+const PART_LONGER: f64 = 0.5;
 /// Time for a posture between two others, seconds. Designed.
 const BETWEEN_SECS: f64 = 2.2;
 /// Time that a posture is kept without gestures, seconds. Designed.
@@ -29,152 +33,17 @@ const SHORT_SECS: f64 = 3.2;
 /// they come free, seconds. Designed.
 const LONG_SECS: f64 = 6.5;
 const FREE_SECS: f64 = 2.6;
+/// Postures of an arm that rests while the other one gestures, by their frequency. Designed: mostly
+/// in front of the body, where it moves along.
+const SINGLE: [RestSpot; 5] = [
+    RestSpot::Belly,
+    RestSpot::Hanging,
+    RestSpot::Belly,
+    RestSpot::Hip,
+    RestSpot::Belly,
+];
 /// Time before the first key of a stroke at which its preparation begins, at most, seconds.
 const PREPARE_SECS: f64 = 0.7;
-
-/// Rest posture of one arm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RestSpot {
-    /// Hanging at the side.
-    Hanging,
-    /// In front of the belly, the fingertips near those of the other hand.
-    Belly,
-    /// In front of the hips, the hands loosely one over the other.
-    Clasped,
-    /// In front of the chest, fingertips together.
-    Fingertips,
-    /// One hand holds the other at the wrist; the dominant hand holds.
-    WristHeld,
-    /// On the hip.
-    Hip,
-    /// At the pocket, the fingers hidden by the hand's back.
-    Pocket,
-    /// Behind the back.
-    Behind,
-    /// Arms folded.
-    Folded,
-}
-
-/// Rest posture of both arms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RestPosture {
-    /// Both arms hanging.
-    Hanging,
-    /// Both hands in front of the belly.
-    Belly,
-    /// Hands loosely clasped.
-    Clasped,
-    /// Fingertips together.
-    Fingertips,
-    /// One hand holding the other's wrist.
-    WristHeld,
-    /// One hand on the hip, the other hanging.
-    OneOnHip,
-    /// One hand at the pocket, the other hanging.
-    OneInPocket,
-    /// One hand in front of the belly, the other hanging.
-    OneAtBelly,
-    /// Both hands behind the back.
-    Behind,
-    /// Arms folded.
-    Folded,
-}
-
-impl RestPosture {
-    /// All postures.
-    pub const ALL: [Self; 10] = [
-        Self::Hanging,
-        Self::Belly,
-        Self::Clasped,
-        Self::Fingertips,
-        Self::WristHeld,
-        Self::OneOnHip,
-        Self::OneInPocket,
-        Self::OneAtBelly,
-        Self::Behind,
-        Self::Folded,
-    ];
-
-    /// Returns the name of the posture in reports.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Hanging => "hanging",
-            Self::Belly => "belly",
-            Self::Clasped => "clasped",
-            Self::Fingertips => "fingertips",
-            Self::WristHeld => "wrist-held",
-            Self::OneOnHip => "one-on-hip",
-            Self::OneInPocket => "one-in-pocket",
-            Self::OneAtBelly => "one-at-belly",
-            Self::Behind => "behind",
-            Self::Folded => "folded",
-        }
-    }
-
-    /// Returns the posture of the left and right arm; `lead` is the arm of a one-handed posture.
-    #[must_use]
-    pub fn spots(self, lead: Side) -> [RestSpot; 2] {
-        use RestSpot as S;
-        let one = |spot: S| match lead {
-            Side::Left => [spot, S::Hanging],
-            Side::Right => [S::Hanging, spot],
-        };
-        match self {
-            Self::Hanging => [S::Hanging; 2],
-            Self::Belly => [S::Belly; 2],
-            Self::Clasped => [S::Clasped; 2],
-            Self::Fingertips => [S::Fingertips; 2],
-            Self::WristHeld => [S::WristHeld; 2],
-            Self::OneOnHip => one(S::Hip),
-            Self::OneInPocket => one(S::Pocket),
-            Self::OneAtBelly => one(S::Belly),
-            Self::Behind => [S::Behind; 2],
-            Self::Folded => [S::Folded; 2],
-        }
-    }
-
-    /// Returns true if a gesture can begin from the posture without delay.
-    fn is_near(self) -> bool {
-        matches!(
-            self,
-            Self::Belly | Self::Clasped | Self::Fingertips | Self::OneAtBelly | Self::WristHeld
-        )
-    }
-}
-
-impl RestSpot {
-    /// All rest postures of one arm, in the order of their numbers.
-    pub const ALL: [Self; 9] = [
-        Self::Hanging,
-        Self::Belly,
-        Self::Clasped,
-        Self::Fingertips,
-        Self::WristHeld,
-        Self::Hip,
-        Self::Pocket,
-        Self::Behind,
-        Self::Folded,
-    ];
-
-    /// Returns the posture by which an arm comes from one posture to another, if not directly:
-    /// from behind the back it hangs first.
-    fn between(self, to: Self) -> Option<Self> {
-        let is_behind = self == Self::Behind || to == Self::Behind;
-        (is_behind && self != to && self != Self::Hanging && to != Self::Hanging)
-            .then_some(Self::Hanging)
-    }
-
-    /// Returns true if a gesture cannot begin from there without a detour.
-    fn is_far(self) -> bool {
-        matches!(self, Self::Behind | Self::Folded)
-    }
-
-    /// Returns true if one arm can rest like this while the other one gestures.
-    fn is_single(self) -> bool {
-        matches!(self, Self::Hanging | Self::Belly | Self::Hip | Self::Pocket)
-    }
-}
 
 /// Change of one arm's rest posture.
 #[derive(Clone, Copy, Debug)]
@@ -184,6 +53,21 @@ pub(super) struct RestChange {
     pub(super) to: RestSpot,
 }
 
+impl RestChange {
+    /// Returns the duration of the change from a posture, with its detours, seconds.
+    pub(super) fn length_secs(&self, before: RestSpot) -> f64 {
+        let detours = if before == self.to {
+            0
+        } else {
+            [before, self.to]
+                .iter()
+                .filter(|spot| spot.is_far())
+                .count()
+        };
+        self.secs * (1.0 + PART_LONGER * detours as f64)
+    }
+}
+
 /// Rest postures of both arms over the whole story.
 #[derive(Clone, Debug)]
 pub struct RestSchedule {
@@ -191,6 +75,8 @@ pub struct RestSchedule {
     changes: [Vec<RestChange>; 2],
     /// Time from which postures change regularly, seconds.
     tail_secs: f64,
+    /// Last posture of both arms before that time.
+    last: Option<RestPosture>,
     seed: u64,
     amount: f64,
     dominant: Side,
@@ -204,10 +90,30 @@ struct Gap {
     busy: [bool; 2],
 }
 
+/// Rests that are planned so far.
+#[derive(Default)]
+struct RestsSoFar {
+    /// Time in each posture, seconds.
+    used_secs: [f64; RestPosture::ALL.len()],
+    /// The last posture of both arms.
+    last: Option<RestPosture>,
+    /// The posture of each arm.
+    spots: [RestSpot; 2],
+}
+
 impl RestSchedule {
-    /// Plans the rests between the gestures of both arms.
+    /// Plans the rests between the gestures of both arms, without feeling.
     #[must_use]
     pub fn new(scripts: &[ArmScript; 2], life: &IdleSettings) -> Self {
+        Self::in_mood(scripts, life, &|_| RestMood::default())
+    }
+
+    /// Plans the rests between the gestures of both arms; `mood_at` gives the mood at a time.
+    pub(crate) fn in_mood(
+        scripts: &[ArmScript; 2],
+        life: &IdleSettings,
+        mood_at: &dyn Fn(f64) -> RestMood,
+    ) -> Self {
         let busy = scripts.each_ref().map(busy_spans);
         let last = busy.iter().filter_map(|spans| spans.last());
         let tail_secs = last.map(|span| span.1).fold(f64::NEG_INFINITY, f64::max);
@@ -218,12 +124,13 @@ impl RestSchedule {
             } else {
                 0.0
             },
+            last: None,
             seed: life.seed,
             amount: life.amount,
             dominant: life.dominant,
         };
         if life.amount > 0.0 {
-            schedule.fill(&gaps(&busy));
+            schedule.fill(&gaps(&busy), mood_at);
         }
         schedule
     }
@@ -277,15 +184,19 @@ impl RestSchedule {
         }
     }
 
-    /// Returns the posture of both arms in a bucket of the regular changes.
+    /// Returns the posture of both arms in a bucket of the regular changes. The first is not the last
+    /// posture before them.
     fn regular(&self, bucket: i64) -> [RestSpot; 2] {
         let count = RestPosture::ALL.len() as i64;
         // Steps that share no factor with the number of postures reach all, and none twice running.
         let stride = [3, 7][usize::from(noise::unit(self.seed, stream::REST, 0) < 0.5)];
-        let first = (noise::unit(self.seed, stream::REST, 1) * count as f64) as i64;
-        let index = (first + bucket.rem_euclid(count) * stride).rem_euclid(count);
-        let posture = RestPosture::ALL[usize::try_from(index).unwrap_or(0)];
-        posture.spots(self.lead(bucket))
+        let begins = (noise::unit(self.seed, stream::REST, 1) * count as f64) as i64;
+        let numbered = |bucket: i64| {
+            let index = (begins + bucket.rem_euclid(count) * stride).rem_euclid(count);
+            RestPosture::ALL[usize::try_from(index).unwrap_or(0)]
+        };
+        let repeats = Some(numbered(1)) == self.last;
+        numbered(bucket + i64::from(repeats)).spots(self.lead(bucket))
     }
 
     /// Returns the arm of a one-handed posture: mostly the other than the dominant one.
@@ -298,68 +209,78 @@ impl RestSchedule {
     }
 
     /// Plans the postures of all gaps.
-    fn fill(&mut self, gaps: &[Gap]) {
-        let mut used = [0.0_f64; RestPosture::ALL.len()];
-        let mut last: Option<RestPosture> = None;
-        let mut spots = [RestSpot::Hanging; 2];
+    fn fill(&mut self, gaps: &[Gap], mood_at: &dyn Fn(f64) -> RestMood) {
+        let mut so_far = RestsSoFar::default();
         for gap in gaps {
-            let length = gap.end_secs - gap.start_secs;
-            if gap.busy == [true, true] {
-                continue;
+            match gap.busy {
+                [true, true] => {}
+                [false, false] => self.rest_both(gap, mood_at, &mut so_far),
+                [left, _] => self.rest_one(usize::from(left), gap, &mut so_far),
             }
-            let bucket = (1e3 * gap.start_secs).round() as i64;
-            if gap.busy != [false, false] {
-                let arm = usize::from(gap.busy[0]);
-                if !spots[arm].is_single() {
-                    let chance = noise::unit(self.seed, stream::REST + 2, bucket);
-                    let to = [RestSpot::Hanging, RestSpot::Belly, RestSpot::Pocket];
-                    spots[arm] = to[((chance * 3.0) as usize).min(2)];
-                    self.change(arm, gap.start_secs, CHANGE_SECS, spots[arm]);
+        }
+        self.last = so_far.last;
+    }
+
+    /// Lets one arm rest while the other one gestures.
+    fn rest_one(&mut self, arm: usize, gap: &Gap, so_far: &mut RestsSoFar) {
+        let is_long = gap.end_secs - gap.start_secs > SHORT_SECS;
+        if so_far.spots[arm].is_single() && !is_long {
+            return;
+        }
+        let chance = noise::unit(self.seed, stream::REST + 2, milliseconds(gap.start_secs));
+        let to = SINGLE[((chance * SINGLE.len() as f64) as usize).min(SINGLE.len() - 1)];
+        if to != so_far.spots[arm] {
+            so_far.spots[arm] = to;
+            self.change(arm, gap.start_secs, CHANGE_SECS, to);
+        }
+    }
+
+    /// Lets both arms rest, in several postures if the gap is long.
+    fn rest_both(&mut self, gap: &Gap, mood_at: &dyn Fn(f64) -> RestMood, so_far: &mut RestsSoFar) {
+        let length = gap.end_secs - gap.start_secs;
+        let parts = (length / MAX_KEEP_SECS).ceil().clamp(1.0, 1e4) as usize;
+        let part_secs = length / parts as f64;
+        for part in 0..parts {
+            let at_secs = gap.start_secs + part_secs * part as f64;
+            let bucket = milliseconds(gap.start_secs) + part as i64;
+            let posture = self.choose(so_far, &mood_at(at_secs), part_secs, bucket);
+            so_far.used_secs[posture as usize] += part_secs;
+            so_far.last = Some(posture);
+            let to = posture.spots(self.lead(bucket));
+            for (arm, to) in to.into_iter().enumerate() {
+                if to != so_far.spots[arm] {
+                    self.change(arm, at_secs, CHANGE_SECS, to);
                 }
-                continue;
             }
-            let parts = (length / MAX_KEEP_SECS).ceil().clamp(1.0, 1e4) as usize;
-            let part_secs = length / parts as f64;
-            for part in 0..parts {
-                let at_secs = gap.start_secs + part_secs * part as f64;
-                let posture = self.choose(&used, last, part_secs, bucket + part as i64);
-                used[posture as usize] += part_secs;
-                last = Some(posture);
-                let to = posture.spots(self.lead(bucket + part as i64));
-                for arm in 0..2 {
-                    if to[arm] != spots[arm] {
-                        self.change(arm, at_secs, CHANGE_SECS, to[arm]);
-                    }
-                }
-                spots = to;
-            }
-            // From postures that hold the arms back, they come free before the next gesture.
-            if spots.iter().any(|spot| spot.is_far()) {
-                spots = [RestSpot::Hanging; 2];
-                for (arm, to) in spots.into_iter().enumerate() {
-                    self.change(arm, gap.end_secs - FREE_SECS, CHANGE_SECS, to);
-                }
+            so_far.spots = to;
+        }
+        // From postures that hold the arms back, they come free before the next gesture.
+        if so_far.spots.iter().any(|spot| spot.is_far()) {
+            so_far.spots = [RestSpot::Hanging; 2];
+            for arm in 0..2 {
+                self.change(
+                    arm,
+                    gap.end_secs - FREE_SECS,
+                    CHANGE_SECS,
+                    RestSpot::Hanging,
+                );
             }
         }
     }
 
-    /// Chooses the posture used least so far, with some chance, that fits the time.
-    fn choose(
-        &self,
-        used: &[f64; RestPosture::ALL.len()],
-        last: Option<RestPosture>,
-        secs: f64,
-        bucket: i64,
-    ) -> RestPosture {
+    /// Chooses the posture used least so far, with some liking of the mood and some chance, that
+    /// fits the time.
+    fn choose(&self, so_far: &RestsSoFar, mood: &RestMood, secs: f64, bucket: i64) -> RestPosture {
         let mut best = (f64::INFINITY, RestPosture::Belly);
         for posture in RestPosture::ALL {
             let is_far = posture.spots(Side::Left).iter().any(|spot| spot.is_far());
             let fits = posture.is_near() || secs >= if is_far { LONG_SECS } else { SHORT_SECS };
-            if Some(posture) == last || !fits {
+            if Some(posture) == so_far.last || !fits {
                 continue;
             }
             let id = stream::REST + 3 + posture as u64;
-            let cost = used[posture as usize] + 6.0 * noise::unit(self.seed, id, bucket);
+            let cost = so_far.used_secs[posture as usize] - mood.liking_secs(posture)
+                + 6.0 * noise::unit(self.seed, id, bucket);
             if cost < best.0 {
                 best = (cost, posture);
             }
@@ -376,7 +297,12 @@ impl RestSchedule {
         };
         let changes = &mut self.changes[arm];
         let before = changes.last().map_or(RestSpot::Hanging, |change| change.to);
-        let mut at_secs = at_secs + lag_secs;
+        // A change begins where the one before it has ended.
+        let ended_secs = changes.last().map_or(f64::NEG_INFINITY, |last| {
+            let earlier = changes.len().checked_sub(2).map(|i| changes[i].to);
+            last.at_secs + last.length_secs(earlier.unwrap_or_default())
+        });
+        let mut at_secs = (at_secs + lag_secs).max(ended_secs);
         if let Some(between) = before.between(to) {
             changes.push(RestChange {
                 at_secs,
@@ -387,6 +313,11 @@ impl RestSchedule {
         }
         changes.push(RestChange { at_secs, secs, to });
     }
+}
+
+/// Returns a time in whole milliseconds, which number what is left to chance.
+fn milliseconds(time_secs: f64) -> i64 {
+    (1e3 * time_secs).round() as i64
 }
 
 /// Returns the intervals in which an arm gestures, sorted, from the start of the preparation to the

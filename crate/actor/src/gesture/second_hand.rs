@@ -4,6 +4,7 @@
 //! mirror images (sideways velocities of one speaker's hands correlate by −0.52; computed from
 //! ZeroEGGS "067_Speech_2"), unless they touch or hold something between them.
 
+use raconteur_base::order::sort_by_number;
 use raconteur_base::{DQuat, DVec3, Length, Side, mirror_vector, noise};
 
 use super::{ArmScript, GesturePhase, GestureStroke, HandKey};
@@ -30,11 +31,11 @@ const MAX_SHARE: f64 = 0.5;
 /// stature over 1.7 m.
 pub(crate) fn vary(scripts: &mut [ArmScript; 2], dominant: Side, (seed, scale): (u64, f64)) {
     let [leading, following] = [dominant.index(), dominant.opposite().index()];
-    let leads: Vec<GestureStroke> = scripts[leading].strokes.clone();
+    let leads = ByStart::new(&scripts[leading].strokes);
     for stroke in &mut scripts[following].strokes {
         let partner = leads
-            .iter()
-            .find(|lead| lead.start_secs == stroke.start_secs && mirrors(lead, stroke));
+            .simultaneous(stroke)
+            .find(|lead| mirrors(lead, stroke));
         if let Some(lead) = partner
             && !touches(stroke, lead, dominant.opposite(), scale)
         {
@@ -46,6 +47,33 @@ pub(crate) fn vary(scripts: &mut [ArmScript; 2], dominant: Side, (seed, scale): 
             );
             reduce(stroke, SIZE[0] + (SIZE[1] - SIZE[0]) * r(1), scale);
         }
+    }
+}
+
+/// Strokes of one arm by their start.
+pub(super) struct ByStart(Vec<GestureStroke>);
+
+impl ByStart {
+    /// Sorts strokes in any order.
+    pub(super) fn new(strokes: &[GestureStroke]) -> Self {
+        let mut strokes = strokes.to_vec();
+        strokes.retain(|stroke| stroke.start_secs.is_finite());
+        sort_by_number(&mut strokes, |stroke| stroke.start_secs);
+        Self(strokes)
+    }
+
+    /// Returns the strokes that start with another one.
+    pub(super) fn simultaneous(
+        &self,
+        stroke: &GestureStroke,
+    ) -> impl Iterator<Item = &GestureStroke> {
+        let start_secs = stroke.start_secs;
+        let first = self
+            .0
+            .partition_point(|other| other.start_secs < start_secs);
+        self.0[first..]
+            .iter()
+            .take_while(move |other| other.start_secs == start_secs)
     }
 }
 
@@ -69,7 +97,12 @@ fn mirror_keys(a: &HandKey, b: &HandKey) -> bool {
 }
 
 /// Returns true if the hands of two strokes touch at a key, or nearly so.
-fn touches(stroke: &GestureStroke, lead: &GestureStroke, side: Side, scale: f64) -> bool {
+pub(super) fn touches(
+    stroke: &GestureStroke,
+    lead: &GestureStroke,
+    side: Side,
+    scale: f64,
+) -> bool {
     let mut hands: [Option<DQuat>; 2] = [None; 2];
     stroke.keys.iter().zip(&lead.keys).any(|(own, other)| {
         hands = [

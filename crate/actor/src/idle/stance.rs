@@ -3,7 +3,7 @@
 //! The pelvis sways, tilts slightly and sinks as far as the legs need to bend; both legs follow in
 //! closed form.
 
-use raconteur_base::curve::minimum_jerk;
+use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, noise};
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -19,12 +19,19 @@ const SHIFT_SECS: f64 = 9.0;
 /// Duration of a weight shift, seconds. Designed.
 const SHIFT_LENGTH_SECS: f64 = 1.8;
 /// Sideways travel of the pelvis to either side, for a stature of 1.7 m, metres. Designed.
-const SWAY_M: f64 = 0.03;
+const SWAY_M: f64 = 0.042;
 /// Tilt of the pelvis with it, radians: the side without weight sinks. Designed.
-const TILT_RAD: f64 = 0.035;
+const TILT_RAD: f64 = 0.055;
 /// Clearance for the knees: the pelvis is lowered by this from straight legs, metres. A knee bends
 /// by about 15° for 9 mm, so a small value suffices.
 const SINK_M: f64 = 0.0008;
+/// The same for a figure that tells: its knees are soft. Designed.
+const SOFT_SINK_M: f64 = 0.004;
+/// Displacement of each foot of a figure that tells: outwards, and to the front (left) or back
+/// (right), for a stature of 1.7 m, metres; and its toes outwards, radians. Designed: feet about as
+/// far apart as the hips are wide.
+const OPEN_M: [f64; 2] = [0.024, 0.016];
+const OPEN_RAD: f64 = 0.1;
 
 /// Standing motion of a figure: shifts the weight between planted feet and solves both legs.
 #[derive(Clone, Debug)]
@@ -45,6 +52,8 @@ pub(crate) struct Support {
     pub(crate) heading_rad: f64,
     /// Turn of the pelvis on the feet.
     pub(crate) pelvis: Turn,
+    /// Width of the stance, 0 (the feet of the zero pose) to 1 (that of a person who tells).
+    pub(crate) width: f64,
     /// Transform of the floor under each foot, its lift, metres, and its pitch, radians.
     pub(crate) feet: [(DAffine3, f64, f64); 2],
 }
@@ -56,6 +65,7 @@ impl Default for Support {
             place: DVec3::ZERO,
             heading_rad: 0.0,
             pelvis: Turn::default(),
+            width: 0.0,
             feet: [(DAffine3::IDENTITY, 0.0, 0.0); 2],
         }
     }
@@ -139,11 +149,14 @@ impl Stance {
         let pelvis_at = skeleton.joints()[pelvis.index()].translation_in_parent;
         pose.root_offset_in_world += support.place + headed * (sway + pelvis_at)
             - pelvis_at
-            - DVec3::Y * (SINK_M * amount * self.scale);
+            - DVec3::Y * (lerp(SINK_M, SOFT_SINK_M, support.width) * amount * self.scale);
         pose.set(pelvis, (zero.inverse() * turn * tilt * zero).normalized());
 
-        let feet: [(DVec3, DQuat); 2] =
-            core::array::from_fn(|i| self.legs[i].foot(&support.feet[i]));
+        let feet: [(DVec3, DQuat); 2] = core::array::from_fn(|i| {
+            let (floor, lift_m, pitch_rad) = support.feet[i];
+            let open = self.legs[i].open(Side::BOTH[i], amount * support.width, self.scale);
+            self.legs[i].foot(&(floor * open, lift_m, pitch_rad))
+        });
         // Sink until both legs reach their feet.
         let pelvis_in_world = world_from_bone(skeleton, pose, pelvis);
         let short = self
@@ -178,6 +191,15 @@ impl Leg {
             at,
             (turned * rotation_of(&self.ankle_in_world)).normalized(),
         )
+    }
+
+    /// Returns the transform of the floor under a foot that opens the stance, about the ankle.
+    fn open(&self, side: Side, width: f64, scale: f64) -> DAffine3 {
+        let [out_m, front_m] = OPEN_M;
+        let ankle = self.ankle_in_world.translation;
+        let by = DVec3::new(side.sign() * out_m, 0.0, side.sign() * front_m) * (scale * width);
+        let turned = DQuat::from_rotation_y(side.sign() * OPEN_RAD * width);
+        DAffine3::from_rotation_translation(turned, ankle + by - turned * ankle)
     }
 
     /// Measures one leg of a skeleton.

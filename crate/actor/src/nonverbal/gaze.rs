@@ -14,6 +14,7 @@ use super::Manner;
 use super::speech_features::{BoundaryKind, SpeechFeatures};
 use super::think::ThinkingPause;
 use super::track::Track;
+use crate::discourse::Discourse;
 use crate::idle::stream;
 
 /// A target within this angle of the listener counts as the listener, radians: from the
@@ -38,6 +39,8 @@ const DIRECTIONS: [f64; 8] = [15.54, 6.46, 17.69, 7.44, 16.80, 7.89, 20.38, 7.80
 const PERSISTENCE: f64 = 1.0 / 3.0;
 /// Decrease of the share of the next glance after a surplus glance. Designed.
 const CORRECTION: f64 = 0.15;
+/// Increase of the share of glances at the listener at tension 1, decrease at 0. Designed.
+const TENSION_GLANCES: f64 = 0.2;
 /// Between two demands the eyes go aside in this time or not at all, seconds.
 const MIN_GAP_SECS: f64 = 0.12;
 /// Time for a small movement, seconds.
@@ -112,10 +115,11 @@ impl Gaze {
     pub(super) fn new(
         heard: &SpeechFeatures,
         (thoughts, looks): (&[ThinkingPause], &[PlacedLook]),
+        discourse: &Discourse,
         manner: &Manner,
         seed: u64,
     ) -> Self {
-        let mut all = demands(heard, thoughts, manner, seed);
+        let mut all = demands(heard, thoughts, discourse, manner, seed);
         all.extend(looks.iter().map(|look| GazeDemand {
             start_secs: look.start_secs,
             end_secs: look.end_secs,
@@ -151,6 +155,7 @@ impl Gaze {
 fn demands(
     heard: &SpeechFeatures,
     thoughts: &[ThinkingPause],
+    discourse: &Discourse,
     manner: &Manner,
     seed: u64,
 ) -> Vec<GazeDemand> {
@@ -183,9 +188,12 @@ fn demands(
             demand([start, end], GazePurpose::Listener, 2);
         } else if is_accent {
             let same = if looks { PERSISTENCE } else { 0.0 };
-            let share = manner.accent_glances * (1.0 - PERSISTENCE) + same - CORRECTION * excess;
+            // At the climax the eyes hold the listener.
+            let tense = TENSION_GLANCES * (2.0 * discourse.tension_at(start) - 1.0);
+            let mean = (manner.accent_glances * (1.0 + tense)).min(1.0);
+            let share = mean * (1.0 - PERSISTENCE) + same - CORRECTION * excess;
             looks = chance < share || looks && start - free_secs < MIN_GAP_SECS;
-            excess += f64::from(u8::from(looks)) - manner.accent_glances;
+            excess += f64::from(u8::from(looks)) - mean;
             excess = excess.clamp(-5.0, 5.0);
             let want = if looks {
                 GazePurpose::Listener

@@ -139,7 +139,7 @@ impl NonVerbal {
             raises: Raises::new(&heard, by_sound, &manner, seed),
             thought: think::brows(&thoughts),
             lick: think::licks(&heard, &thoughts, &manner, seed),
-            gaze: Gaze::new(&heard, (&thoughts, looks), &manner, seed),
+            gaze: Gaze::new(&heard, (&thoughts, looks), discourse, &manner, seed),
             listening: ListenerGaze::new(turns.collect(), manner.gaze, seed),
             blinks: Blinks::new(&heard, manner.blinks, seed),
             loudness,

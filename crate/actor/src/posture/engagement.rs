@@ -4,6 +4,7 @@
 //! them, the shoulder raised with a high hand. Pelvis, chest and shoulders move to it one after
 //! the other, the pelvis first.
 
+use raconteur_base::curve::smooth;
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Length, noise};
 use raconteur_speech::emotion::EmotionPoint;
@@ -27,7 +28,9 @@ const YAW_BOTH_RAD: [f64; 2] = [0.035, 0.1];
 const LEAN_AHEAD_RAD: f64 = 0.13;
 const LEAN_HIGH_RAD: f64 = -0.16;
 /// Roll away from a high hand, radians for each share of the reach. Designed.
-const ROLL_HIGH_RAD: f64 = 0.1;
+const ROLL_HIGH_RAD: f64 = 0.14;
+/// Weight on the foot of the side that the trunk turns to, for each radian. Designed.
+const WEIGHT_BY_YAW: f64 = 3.5;
 /// Elevation of a shoulder for each share of the reach that its hand is above mid-trunk, radians.
 /// Designed.
 const SHRUG_RAD: f64 = 0.07;
@@ -46,11 +49,18 @@ const LEAD_SECS: [f64; 3] = [0.16, 0.06, 0.0];
 const RELEASE_SECS: [f64; 2] = [0.9, 1.3];
 /// Share of the engagement that remains after the return, until the next stroke.
 const RELEASED_SHARE: f64 = 0.3;
+/// Share by which the trunk goes beyond its posture in a strong stroke, before it settles, and the
+/// speeds of the hand between which a stroke becomes strong, shares of the reach a second. Designed:
+/// overshoot of strong effort (EMOTE).
+const OVERSHOOT: f64 = 0.22;
+const STRONG: [f64; 2] = [0.25, 1.0];
+/// Time in which the trunk settles after a strong stroke, seconds. Designed.
+const SETTLE_SECS: f64 = 0.5;
 /// Time within which keys of both hands belong together, seconds.
 const TOGETHER_SECS: f64 = 0.7;
 /// Largest shift at a sentence: lean, roll, yaw, radians. Designed; people's chest leans with a
 /// standard deviation of 3.5° and rolls with 5.3°.
-const SHIFT_RAD: [f64; 3] = [0.035, 0.05, 0.075];
+const SHIFT_RAD: [f64; 3] = [0.035, 0.07, 0.075];
 /// Duration of a shift, seconds. Designed.
 const SHIFT_SECS: f64 = 1.1;
 /// Shortest time between two shifts, seconds. Designed.
@@ -59,8 +69,9 @@ const SHIFT_APART_SECS: f64 = 2.2;
 /// Motion of pelvis, chest and shoulders with the strokes of both hands.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Engagement {
+    /// Yaw, lean, roll, and the weight, −1 on the right foot to 1 on the left.
+    pelvis: SuperposedTrack<4>,
     /// Yaw, lean, roll.
-    pelvis: SuperposedTrack<3>,
     chest: SuperposedTrack<3>,
     shrugs: SuperposedTrack<2>,
 }
@@ -80,7 +91,7 @@ impl Engagement {
     /// Plans the engagement for the keys of both arms.
     pub(super) fn new(plans: &[ArmPlan; 2], vigour: &Vigour<'_>, seed: u64) -> Self {
         let places = places(plans);
-        let mut targets: Vec<(f64, f64, [f64; 5])> = Vec::new();
+        let mut targets: Vec<(f64, f64, [f64; 6])> = Vec::new();
         let mut latest: [Option<HandPlace>; 2] = [None; 2];
         let mut before = f64::NEG_INFINITY;
         for (i, key) in places.iter().enumerate() {
@@ -94,7 +105,14 @@ impl Engagement {
             let size = vigour.size_at(key.at_secs);
             let target = posture_for(key, other.as_ref(), seed).map(|x| size * x);
             let secs = (key.at_secs - before).clamp(MOVE_SECS[0], MOVE_SECS[1]);
-            targets.push((key.at_secs - secs, secs, target));
+            let speed = key.path.max(other.map_or(0.0, |k| k.path)) / secs;
+            let strength =
+                smooth(((size * speed - STRONG[0]) / (STRONG[1] - STRONG[0])).clamp(0.0, 1.0));
+            let beyond = target.map(|x| (1.0 + OVERSHOOT * strength) * x);
+            targets.push((key.at_secs - secs, secs, beyond));
+            if strength > 0.0 {
+                targets.push((key.at_secs + 0.05, SETTLE_SECS, target));
+            }
             let next_secs = next.map_or(f64::INFINITY, |next| next.at_secs);
             if next_secs - key.at_secs > RELEASE_SECS[0] + RELEASE_SECS[1] {
                 let rest = target.map(|x| RELEASED_SHARE * x);
@@ -109,8 +127,8 @@ impl Engagement {
                 targets
                     .iter()
                     .map(|(start, secs, to)| {
-                        let share = [0, 1, 2].map(|k| PELVIS_SHARE[k] * to[k]);
-                        (pelvis(*start), 1.15 * secs, share)
+                        let [yaw, lean, roll] = [0, 1, 2].map(|k| PELVIS_SHARE[k] * to[k]);
+                        (pelvis(*start), 1.15 * secs, [yaw, lean, roll, to[5]])
                     })
                     .collect(),
             ),
@@ -140,8 +158,10 @@ impl Engagement {
             yaw: share * yaw,
         };
         let chest = self.chest.sample(time_secs);
+        let [yaw, lean, roll, weight] = self.pelvis.sample(time_secs);
         BodyPosture {
-            pelvis: turn(self.pelvis.sample(time_secs), 1.0),
+            weight,
+            pelvis: turn([yaw, lean, roll], 1.0),
             lumbar: turn(chest, LUMBAR_SHARE),
             thoracic: turn(chest, 1.0 - LUMBAR_SHARE),
             shrug: self.shrugs.sample(time_secs),
@@ -177,8 +197,8 @@ fn places(plans: &[ArmPlan; 2]) -> Vec<HandPlace> {
 }
 
 /// Returns the posture for a key, and one of the other hand at the same time: yaw, lean, roll,
-/// elevation of left and right shoulder, radians.
-fn posture_for(key: &HandPlace, other: Option<&HandPlace>, seed: u64) -> [f64; 5] {
+/// elevation of left and right shoulder, radians; weight, −1 to 1.
+fn posture_for(key: &HandPlace, other: Option<&HandPlace>, seed: u64) -> [f64; 6] {
     /// Height of mid-trunk below the shoulders, share of the reach.
     const MIDDLE: f64 = -0.45;
     let hands = [Some(key), other];
@@ -204,6 +224,7 @@ fn posture_for(key: &HandPlace, other: Option<&HandPlace>, seed: u64) -> [f64; 5
         0.0,
         0.0,
         0.0,
+        (WEIGHT_BY_YAW * yaw).clamp(-1.0, 1.0),
     ];
     for hand in hands.into_iter().flatten() {
         posture[2] -= ROLL_HIGH_RAD * sign(hand.side) * high(hand);

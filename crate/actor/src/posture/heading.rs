@@ -3,7 +3,7 @@
 //! The storyteller changes place at paragraphs and at some sentences, and turns to the side of the
 //! character who speaks (role shift); the narrator returns to the listener.
 
-use raconteur_base::{DAffine3, DQuat, DVec3, noise};
+use raconteur_base::{DAffine3, DQuat, DVec3, noise, ops};
 
 use super::footwork::{CHANGE_SECS, Footwork, Standing, StandingChange};
 use super::{FootPose, SentenceSpan, Vigour};
@@ -13,6 +13,9 @@ use crate::superposition::SuperposedTrack;
 
 /// Turn of the trunk to the side of a character, radians: with the head 15 to 25° in all. Designed.
 const ROLE_TURN_RAD: f64 = 0.17;
+/// Share of a referent's direction that the trunk turns, and the largest turn, radians. Designed.
+const REFERENT_SHARE: f64 = 0.25;
+const REFERENT_TURN_RAD: f64 = 0.16;
 /// Time in which the trunk turns to a side or back, and its lead before the first word, seconds.
 /// Designed.
 const TURN_SECS: f64 = 0.8;
@@ -24,7 +27,7 @@ const DIALOGUE_SECS: f64 = 0.7;
 const APART_SECS: [f64; 2] = [6.0, 10.0];
 /// Largest displacement of a place: sideways, to the front, metres for a stature of 1.7 m.
 /// Designed; people's shifts are 8 to 10 cm.
-const PLACE_M: [f64; 2] = [0.055, 0.035];
+const PLACE_M: [f64; 2] = [0.085, 0.06];
 /// Largest heading of a place, radians. Designed.
 const HEADING_RAD: f64 = 0.16;
 /// Part of a character's side in the heading of a place, radians. Designed.
@@ -38,10 +41,12 @@ const STILL_SORROW: f64 = 0.3;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Heading {
     footwork: Footwork,
-    /// Turn of the trunk on the feet, radians.
-    turn: SuperposedTrack<1>,
+    /// Turns of the trunk on the feet with roles, and towards referents, radians.
+    turns: [SuperposedTrack<1>; 2],
     /// Scale of lengths for the figure's stature.
     scale: f64,
+    /// Width of the stance, 0 to 1.
+    width: f64,
     /// Vertical axis of the turn of the trunk in the figure, metres.
     axis: DVec3,
 }
@@ -51,12 +56,12 @@ impl Heading {
     /// figure whose legs other commands move.
     pub(crate) fn new(
         sentences: &[SentenceSpan],
-        roles: &[RoleSpan],
         vigour: &Vigour<'_>,
         frame: (f64, DVec3),
         (seed, steps): (u64, bool),
     ) -> Self {
         let (scale, axis) = frame;
+        let roles = &vigour.discourse.roles;
         let changes = if steps && vigour.amount > 0.0 {
             changes(sentences, roles, vigour, seed)
         } else {
@@ -64,15 +69,22 @@ impl Heading {
         };
         Self {
             footwork: Footwork::new(&changes),
-            turn: SuperposedTrack::new(turns(roles, vigour)),
+            turns: [turns(roles, vigour), referent_turns(vigour)].map(SuperposedTrack::new),
             scale,
+            width: if steps { 1.0 } else { 0.0 },
             axis,
         }
     }
 
+    /// Returns the width of the stance, 0 (the feet of the zero pose) to 1.
+    pub(crate) fn stance_width(&self) -> f64 {
+        self.width
+    }
+
     /// Returns the turn of the trunk to a side on the feet at a time, radians.
     pub(crate) fn turn_rad(&self, time_secs: f64) -> f64 {
-        self.turn.sample(time_secs)[0]
+        let turns = self.turns.iter();
+        turns.map(|turn| turn.sample(time_secs)[0]).sum()
     }
 
     /// Returns the weight at a time, see [`Footwork::weight`].
@@ -126,6 +138,25 @@ fn turns(roles: &[RoleSpan], vigour: &Vigour<'_>) -> Vec<(f64, f64, [f64; 1])> {
     targets
 }
 
+/// Returns the turns of the trunk towards referents that are mentioned.
+fn referent_turns(vigour: &Vigour<'_>) -> Vec<(f64, f64, [f64; 1])> {
+    let mentions = &vigour.discourse.mentions;
+    let mut targets = Vec::new();
+    for (i, mention) in mentions.iter().enumerate() {
+        let DVec3 { x, z, .. } = mention.place_in_figure;
+        let aside = REFERENT_SHARE * ops::atan2(x, z.max(0.1));
+        let turn = vigour.size_at(mention.start_secs).min(1.2)
+            * aside.clamp(-REFERENT_TURN_RAD, REFERENT_TURN_RAD);
+        targets.push((mention.start_secs - TURN_LEAD_SECS, TURN_SECS, [turn]));
+        let next = mentions.get(i + 1);
+        let goes_on = next.is_some_and(|next| next.start_secs - mention.end_secs < DIALOGUE_SECS);
+        if !goes_on {
+            targets.push((mention.end_secs + 0.3, TURN_SECS, [0.0]));
+        }
+    }
+    targets
+}
+
 /// Returns the changes of place with the sentences.
 fn changes(
     sentences: &[SentenceSpan],
@@ -150,7 +181,7 @@ fn changes(
             let before = changes.last().map_or(0.0, |change| change.to.x);
             // To the other side, as one who walks up and down does.
             let sideways = if before > 0.0 { -1.0 } else { 1.0 };
-            let x = sideways * PLACE_M[0] * (0.55 + 0.45 * r(0));
+            let x = sideways * PLACE_M[0] * (0.65 + 0.35 * r(0));
             let yaw = ROLE_HEADING_RAD * side - sideways * HEADING_RAD * (0.5 + 0.5 * r(2));
             changes.push(StandingChange {
                 at_secs: start - 0.1,

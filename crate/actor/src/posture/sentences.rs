@@ -16,7 +16,7 @@ pub(crate) struct SentenceSpan {
 }
 
 /// Returns the sentences of all utterances, sorted by time. An utterance without known sentences
-/// counts as one.
+/// counts as one. `paragraphs` are sorted.
 pub(crate) fn sentence_spans(speech: &[TimedUtterance], paragraphs: &[f64]) -> Vec<SentenceSpan> {
     let mut spans = Vec::new();
     for timed in speech {
@@ -35,9 +35,7 @@ pub(crate) fn sentence_spans(speech: &[TimedUtterance], paragraphs: &[f64]) -> V
                 spans.push(SentenceSpan {
                     start_secs,
                     end_secs,
-                    begins_paragraph: paragraphs
-                        .iter()
-                        .any(|t| (t - start_secs).abs() <= NEAR_SECS),
+                    begins_paragraph: is_near(paragraphs, start_secs),
                 });
             }
         };
@@ -50,4 +48,10 @@ pub(crate) fn sentence_spans(speech: &[TimedUtterance], paragraphs: &[f64]) -> V
     }
     sort_by_number(&mut spans, |span| span.start_secs);
     spans
+}
+
+/// Returns true if one of some ascending times is near another.
+fn is_near(times: &[f64], time_secs: f64) -> bool {
+    let next = times.partition_point(|t| *t < time_secs - NEAR_SECS);
+    times.get(next).is_some_and(|t| *t <= time_secs + NEAR_SECS)
 }

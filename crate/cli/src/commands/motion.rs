@@ -7,11 +7,9 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use clap::Args;
 use raconteur_player::motion::{Measure, MotionReport, RATE_HZ, measure_between};
-use raconteur_stage::Shot;
 use serde::Serialize;
 
-use crate::report;
-use crate::story::StoryFiles;
+use crate::story::play_each;
 use crate::{Format, Outcome, terminal};
 
 /// Play stories without rendering and compare the motion of the body with people's.
@@ -71,19 +69,11 @@ impl From<Measure> for Entry {
 impl Motion {
     pub(crate) fn run(&self) -> Result<Outcome> {
         let mut out = terminal::out();
-        let mut worst = Outcome::Fine;
         let mut stories = Vec::new();
-        for path in &self.files {
-            let files = StoryFiles::read(path)?;
-            let file = files.script.display().to_string();
-            let mut loaded = files.player(self.figure.as_deref(), Shot::Storyteller)?;
-            report::print(&file, &files.text, &loaded.diagnostics)?;
-            if report::outcome(&loaded.diagnostics) == Outcome::Errors {
-                worst = Outcome::Errors;
-            }
-            let duration = loaded.player.end_secs();
-            let report = measure_between(&mut loaded.player, self.interval(duration)?);
-            let figure = loaded.player.figure().name.clone();
+        let worst = play_each(&self.files, self.figure.as_deref(), &mut |file, player| {
+            let duration = player.end_secs();
+            let report = measure_between(player, self.interval(duration)?);
+            let figure = player.figure().name.clone();
             if self.format == Format::Text {
                 let (from, to) = (report.from_secs, report.to_secs);
                 writeln!(
@@ -100,14 +90,10 @@ impl Motion {
                 to: report.to_secs,
                 measures: report.measures.into_iter().map(Entry::from).collect(),
             });
-        }
+            Ok(Outcome::Fine)
+        })?;
         if self.format == Format::Json {
-            // One story is one report; several are a list of them.
-            let text = match &stories[..] {
-                [story] => terminal::json_lines(story)?,
-                all => terminal::json_lines(&all)?,
-            };
-            writeln!(out, "{text}")?;
+            writeln!(out, "{}", terminal::reports_json(&stories)?)?;
         }
         Ok(worst)
     }

@@ -6,11 +6,9 @@ use std::path::PathBuf;
 use anyhow::Result;
 use clap::Args;
 use raconteur_player::sweep::{Check, RATE_HZ, sweep};
-use raconteur_stage::Shot;
 use serde::Serialize;
 
-use crate::report;
-use crate::story::StoryFiles;
+use crate::story::play_each;
 use crate::{Format, Outcome, terminal};
 
 /// Play stories without rendering and report visible faults.
@@ -64,40 +62,30 @@ impl From<Check> for Entry {
 impl Sweep {
     pub(crate) fn run(&self) -> Result<Outcome> {
         let mut out = terminal::out();
-        let mut worst = Outcome::Fine;
         let mut stories = Vec::new();
-        for path in &self.files {
-            let files = StoryFiles::read(path)?;
-            let file = files.script.display().to_string();
-            let mut loaded = files.player(self.figure.as_deref(), Shot::Storyteller)?;
-            report::print(&file, &files.text, &loaded.diagnostics)?;
-            if report::outcome(&loaded.diagnostics) == Outcome::Errors {
-                worst = Outcome::Errors;
-            }
-            let checks = sweep(&mut loaded.player);
-            if !checks.iter().all(Check::is_ok) {
-                worst = Outcome::Errors;
-            }
-            let duration = loaded.player.end_secs();
+        let worst = play_each(&self.files, self.figure.as_deref(), &mut |file, player| {
+            let checks = sweep(player);
+            let duration = player.end_secs();
             if self.format == Format::Text {
                 writeln!(out, "{file}: {duration:.1} s at {RATE_HZ:.0} Hz")?;
                 for check in &checks {
                     print(&mut out, check)?;
                 }
             }
+            let is_clean = checks.iter().all(Check::is_ok);
             stories.push(Story {
                 file,
                 duration,
                 checks: checks.into_iter().map(Entry::from).collect(),
             });
-        }
+            Ok(if is_clean {
+                Outcome::Fine
+            } else {
+                Outcome::Errors
+            })
+        })?;
         if self.format == Format::Json {
-            // One story is one report; several are a list of them.
-            let text = match &stories[..] {
-                [story] => terminal::json_lines(story)?,
-                all => terminal::json_lines(&all)?,
-            };
-            writeln!(out, "{text}")?;
+            writeln!(out, "{}", terminal::reports_json(&stories)?)?;
         }
         Ok(worst)
     }

@@ -60,6 +60,8 @@ record! {
         handedness: Option<PreferredHand> = "handedness",
         /// Source of the expressions that accompany speech.
         expressions: Option<Expressions> = "expressions",
+        /// Formality of the occasion, 0 (casual) to 1 (formal).
+        formality: Option<f64> = "formality",
         /// Amount of head raise and tilt with speech.
         head: Option<f64> = "head",
         /// Amount of brow movement with speech.

@@ -42,6 +42,24 @@ record! {
     }
 }
 
+record! {
+    /// Moves spine and shoulder girdle to a posture (extension); angles in degrees.
+    Posture = "posture" {
+        /// Lean of the trunk to the front.
+        lean_deg: f64 = "lean",
+        /// Tilt of the trunk to its left.
+        tilt_deg: f64 = "tilt",
+        /// Turn of the trunk to its left.
+        turn_deg: f64 = "turn",
+        /// Elevation of the left shoulder.
+        left_shoulder_deg: f64 = "leftShoulder",
+        /// Elevation of the right shoulder.
+        right_shoulder_deg: f64 = "rightShoulder",
+        /// Duration of the movement, seconds.
+        duration_secs: f64 = "duration",
+    }
+}
+
 /// Maximum magnitude of positions, angles and velocities of manipulators, in their own units: keeps
 /// rounding errors harmless.
 pub const MAX_COORDINATE: f64 = 1e5;

@@ -1,16 +1,6 @@
 //! The language as a table: one small file per element, registered in [`ELEMENTS`], which drives
 //! parsing, checks, writing and documentation.
 
-/// Returns a text for readers of the language reference. No page shows it, and it would add 12 KB
-/// to a player's download (gzip), so wasm builds omit it.
-pub(super) const fn reference_text(text: &'static str) -> &'static str {
-    if cfg!(target_arch = "wasm32") {
-        ""
-    } else {
-        text
-    }
-}
-
 mod affect;
 mod animation_style;
 mod arg;
@@ -78,10 +68,12 @@ mod par;
 mod performer;
 mod pitch;
 mod place;
+mod posture;
 mod pron;
 mod rate;
 mod record;
 mod ref_;
+mod reference_text;
 mod sayas;
 mod seq;
 mod set;
@@ -108,6 +100,7 @@ pub(crate) use emph::number as emphasis;
 pub(crate) use group::read as read_group;
 pub(crate) use head::read as read_head;
 pub(crate) use lookup::same;
+use reference_text::reference_text;
 pub(crate) use values::parse as parse_value;
 pub(crate) use voice_text::VoiceBuilder;
 
@@ -420,6 +413,7 @@ pub static ELEMENTS: &[&Element] = &[
     &environment::PIECE,
     &pitch::ELEMENT,
     &place::ELEMENT,
+    &posture::ELEMENT,
     &flow::POOL,
     &pron::ELEMENT,
     &rate::ELEMENT,

@@ -21,6 +21,7 @@ pub(super) static ELEMENT: Element = Element {
         "language",
         "handedness",
         "expressions",
+        "formality",
         "head",
         "brows",
         "blinks",
@@ -61,6 +62,12 @@ pub(super) static ELEMENT: Element = Element {
             "expressions",
             Expressions::WORDS,
             "The source of nonverbal behaviour: the audio or the text.",
+        ),
+        Attribute::between(
+            "formality",
+            0.0,
+            1.0,
+            "The formality of the occasion, 0 casual to 1 formal; here 0.5. It prefers some rest postures: hands behind the back or fingertips together, or one hand on the hip or in a pocket.",
         ),
         Attribute::between(
             "head",
@@ -152,7 +159,7 @@ mod tests {
 
     #[test]
     fn the_choice_is_kept() {
-        let text = "<eml xmlns:x='urn:raconteur:eml:1'><head><x:performer figure='papous' expressions='text' brows='2'/></head>\
+        let text = "<eml xmlns:x='urn:raconteur:eml:1'><head><x:performer figure='papous' expressions='text' formality='0.9' brows='2'/></head>\
                     <body><null time='1'/></body></eml>";
         let parsed = crate::parse(text);
         assert_eq!(parsed.diagnostics, []);
@@ -160,6 +167,7 @@ mod tests {
         assert_eq!(performer.figure.as_deref(), Some("papous"));
         assert_eq!(performer.expressions, Some(Expressions::Text));
         assert_eq!((performer.brows, performer.gaze), (Some(2.0), None));
+        assert_eq!(performer.formality, Some(0.9));
     }
 
     #[test]

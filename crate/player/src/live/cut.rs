@@ -103,7 +103,7 @@ impl LivePerformance {
 impl ScriptPlan {
     /// Ends ongoing actions at a cut and removes those that have not begun; `others` are the
     /// story's commands to manipulators. Returns the cues of the ends; nothing before the cut
-    /// changes. Switched states persist: shots, music, parameters, animation players; and the
+    /// changes. Switched states persist: shots, music, parameters, postures, animation players; and the
     /// figure walks on to its destination.
     fn interrupt(&mut self, cut: &Interruption, others: &[Command]) -> Vec<Cue> {
         let at_secs = cut.at_secs;
@@ -118,6 +118,7 @@ impl ScriptPlan {
         }
         stop(&mut self.manipulators.commands, others, at_secs);
         self.manipulators.moves.retain(|m| m.time_secs < at_secs);
+        self.postures.retain(|p| p.start_secs < at_secs);
         self.switches.retain(|(secs, _)| *secs < at_secs);
         self.players.retain(|(secs, _)| *secs < at_secs);
         self.geometry.retain(|(secs, _)| *secs < at_secs);

@@ -402,6 +402,7 @@ impl LivePerformance {
         let surplus = parameters.len().saturating_sub(limits::CARRIED_COMMANDS);
         parameters.drain(..surplus);
         self.carried.add_places(forgotten.plan.discourse.places);
+        self.carried.add_postures(forgotten.plan.postures);
         let players = &mut self.carried.players;
         players.extend(forgotten.plan.players);
         sort_by_number(players, |(time_secs, _)| *time_secs);

@@ -5,6 +5,7 @@
 //! a place set by the story also holds in the live fragments that join it, and a character keeps
 //! its side. A later script changes nothing before it.
 
+mod hushed;
 mod pointing;
 mod referents;
 mod roles;
@@ -13,9 +14,10 @@ mod tension;
 #[cfg(test)]
 mod tests;
 
-use raconteur_actor::{Discourse, GestureStroke, TensionKey};
+use raconteur_actor::{Discourse, GestureStroke, Mention, TensionKey, TimeSpan};
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::ClauseKind;
+use raconteur_stage::{Gesture, TakenSpace};
 
 use crate::lower::cast::Cast;
 use crate::lower::cues::UtteranceCue;
@@ -35,6 +37,8 @@ pub(crate) struct DiscoursePlan {
     paragraphs: Vec<f64>,
     /// Tension at the start of each sentence.
     tension: Vec<TensionKey>,
+    /// Intervals of hushed speech, by time.
+    hushed: Vec<TimeSpan>,
     /// Places set by `r:place`.
     pub(crate) places: Vec<PlaceCue>,
     /// Places set by gestures.
@@ -68,6 +72,7 @@ impl DiscoursePlan {
         Self {
             paragraphs: paragraphs(&utterances),
             tension: tension::tension(&script.document, &utterances, of_characters),
+            hushed: hushed::spans(&utterances),
             places: places(script, &cast.units),
             gestures: pointing::gesture_places(strokes, &on, &words, &shoulders),
             words,
@@ -80,6 +85,7 @@ impl DiscoursePlan {
     pub(crate) fn cut(&mut self, at_secs: f64) {
         self.paragraphs.retain(|start| *start < at_secs);
         self.tension.retain(|key| key.at_secs < at_secs);
+        self.hushed.retain(|span| span.start_secs < at_secs);
         self.places.retain(|place| place.start_secs < at_secs);
         self.gestures.retain(|place| place.start_secs < at_secs);
         self.words.retain(|word| word.start_secs < at_secs);
@@ -87,7 +93,8 @@ impl DiscoursePlan {
         let gestures = self.gestures.iter_mut().map(|place| &mut place.end_secs);
         let words = self.words.iter_mut().map(|word| &mut word.end_secs);
         let turns = self.turns.iter_mut().map(|turn| &mut turn.end_secs);
-        let ends = gestures.chain(words).chain(turns);
+        let hushed = self.hushed.iter_mut().map(|span| &mut span.end_secs);
+        let ends = gestures.chain(words).chain(turns).chain(hushed);
         ends.for_each(|end| *end = end.min(at_secs));
     }
 }
@@ -111,8 +118,43 @@ pub(crate) fn together<'p>(
         paragraphs: paragraphs.collect(),
         mentions: referents::mentions(places, gestures, &words),
         roles: roles.finish(),
+        hushed: plans
+            .clone()
+            .flat_map(|plan| &plan.hushed)
+            .copied()
+            .collect(),
         tension: plans.flat_map(|plan| &plan.tension).copied().collect(),
     }
+}
+
+/// Space of a hand that indicates a referent at a side: height of its top and bottom and distance
+/// from the middle, shares of the stature. *Designed* for the gesture of the actor.
+const INDICATED: [f64; 3] = [0.8, 0.55, 0.38];
+/// Time that the gesture takes before and after a mention, seconds.
+const INDICATED_SECS: [f64; 2] = [0.8, 1.2];
+
+/// Returns the space that hands need to indicate the referents that are mentioned.
+pub(crate) fn indicated_spaces(
+    discourse: &Discourse,
+    stature_m: f64,
+) -> impl Iterator<Item = Gesture> {
+    let aside = |mention: &&Mention| {
+        let place = mention.place_in_figure;
+        place.x.abs() > 0.3 * place.z.abs()
+    };
+    let mentions = discourse.mentions.iter().filter(aside);
+    mentions.map(move |mention| {
+        let [top_m, bottom_m, half_width_m] = INDICATED.map(|share| share * stature_m);
+        Gesture {
+            from_secs: mention.start_secs - INDICATED_SECS[0],
+            to_secs: mention.end_secs + INDICATED_SECS[1],
+            space: TakenSpace {
+                top_m,
+                bottom_m,
+                half_width_m,
+            },
+        }
+    })
 }
 
 /// Returns the start times of paragraphs: of each utterance, and of the paragraphs inside.

@@ -22,6 +22,7 @@ pub(crate) mod music_stem;
 pub(crate) mod palms;
 pub(crate) mod parameters;
 pub(crate) mod plan;
+mod postures;
 pub(crate) mod questions;
 pub(crate) mod reach;
 pub(crate) mod repertoire;

@@ -2,7 +2,7 @@
 
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::parameters::ParameterCommand;
-use raconteur_actor::{GestureStroke, ManipulatorScript};
+use raconteur_actor::{GestureStroke, ManipulatorScript, PostureCommand};
 use raconteur_base::Side;
 use raconteur_base::order::sort_by_number;
 
@@ -18,6 +18,7 @@ use crate::lower::manipulators;
 use crate::lower::moods::{self, OwnPiece};
 use crate::lower::music;
 use crate::lower::music_stem::MusicClause;
+use crate::lower::postures;
 use crate::lower::repertoire::Repertoire;
 use crate::lower::script::Script;
 use crate::lower::shots::{self, ShotCue};
@@ -33,6 +34,8 @@ pub(crate) struct ScriptPlan {
     pub(crate) strokes: [Vec<GestureStroke>; 2],
     /// Commands to manipulators, and moves of the whole figure.
     pub(crate) manipulators: ManipulatorScript,
+    /// Postures of spine and shoulders, by time.
+    pub(crate) postures: Vec<PostureCommand>,
     /// Times at which gestures are turned on and off.
     pub(crate) switches: Vec<(f64, bool)>,
     /// Commands to animation players, by time.
@@ -81,6 +84,7 @@ impl ScriptPlan {
             discourse: DiscoursePlan::new(script, &utterances, &strokes, &switches, cast),
             strokes,
             manipulators: manipulators::script(document, timeline, units),
+            postures: postures::postures(document, timeline),
             switches,
             players: animations::commands(document, timeline).0,
             geometry: visibility::switches(document, timeline),
@@ -106,9 +110,17 @@ pub(crate) struct CarriedCommands {
     pub(crate) parameters: Vec<(f64, ParameterCommand)>,
     /// Places of referents.
     pub(crate) places: Vec<PlaceCue>,
+    /// Posture in force, if a fragment set it.
+    pub(crate) posture: Option<PostureCommand>,
 }
 
 impl CarriedCommands {
+    /// Adds the postures of a removed fragment: the latest stays in force.
+    pub(crate) fn add_postures(&mut self, postures: Vec<PostureCommand>) {
+        let all = self.posture.into_iter().chain(postures);
+        self.posture = all.max_by(|a, b| a.start_secs.total_cmp(&b.start_secs));
+    }
+
     /// Adds the places of a removed fragment; beyond the limit, the oldest are lost.
     pub(crate) fn add_places(&mut self, places: Vec<PlaceCue>) {
         self.places.extend(places);

@@ -13,6 +13,7 @@ mod feet;
 mod hands;
 pub mod people;
 mod recording;
+mod rests;
 mod signal;
 mod trunk;
 mod two_hands;
@@ -102,6 +103,7 @@ pub fn measure_between(player: &mut Player, secs: RangeInclusive<f64>) -> Motion
     measures.extend(feet::measures(&recording));
     measures.extend(hands::measures(&recording));
     measures.extend(two_hands::measures(player, &recording));
+    measures.extend(rests::measures(player, &recording));
     MotionReport {
         from_secs: recording.time_secs(0),
         to_secs: recording.time_secs(recording.len().saturating_sub(1)),

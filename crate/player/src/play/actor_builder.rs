@@ -1,7 +1,9 @@
 //! Preparation of an actor for all known parts of a performance.
 
 use raconteur_actor::animation::PlayerCommand;
-use raconteur_actor::{Actor, ArmScript, Library, ParameterScript, Performance, PlayerScript};
+use raconteur_actor::{
+    Actor, ArmScript, Discourse, Library, ParameterScript, Performance, PlayerScript,
+};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_stage::{FramingMargin, Gesture, TakenSpace};
@@ -11,6 +13,8 @@ use crate::lower::plan::{CarriedCommands, ScriptPlan};
 use crate::lower::{clips, discourse, face, gestures, manipulators};
 use crate::options::Options;
 
+/// Formality of a performance whose script gives none, 0 (casual) to 1 (formal).
+const USUAL_FORMALITY: f64 = 0.5;
 /// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
 const HAND_LENGTH: f64 = 0.12;
 
@@ -42,10 +46,12 @@ impl ActorBuilder<'_> {
     ) -> (Actor, FramingNeeds) {
         let skeleton = &self.cast.figure.skeleton;
         let stature_m = skeleton.stature_m();
-        let needs = self.needs(plans.clone(), stature_m);
+        let discourse =
+            discourse::together(plans.clone().map(|p| &p.discourse), &self.carried.places);
+        let needs = self.needs(plans.clone(), &discourse, stature_m);
         let shot = self.options.shot;
         let camera = shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, needs.margin);
-        let performance = self.performance(plans, camera.eye_in_world);
+        let performance = self.performance(plans, discourse, camera.eye_in_world);
         (Actor::new(&performance, skeleton), needs)
     }
 
@@ -53,6 +59,7 @@ impl ActorBuilder<'_> {
     fn needs<'p>(
         &self,
         plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
+        discourse: &Discourse,
         stature_m: f64,
     ) -> FramingNeeds {
         let hand_m = HAND_LENGTH * stature_m;
@@ -64,6 +71,7 @@ impl ActorBuilder<'_> {
                     .filter_map(|s| gestures::space(s, hand_m, stature_m))
                     .chain(manipulators::space(&p.manipulators, hand_m))
             })
+            .chain(discourse::indicated_spaces(discourse, stature_m))
             .map(|g| Gesture {
                 space: g.space.within_reach(stature_m),
                 ..g
@@ -117,6 +125,7 @@ impl ActorBuilder<'_> {
     fn performance<'p>(
         &self,
         plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
+        discourse: Discourse,
         listener_in_world: DVec3,
     ) -> Performance {
         let mut switches: Vec<(f64, bool)> = plans
@@ -144,10 +153,10 @@ impl ActorBuilder<'_> {
                     .cloned()
                     .collect(),
             },
-            discourse: discourse::together(
-                plans.clone().map(|p| &p.discourse),
-                &self.carried.places,
-            ),
+            discourse,
+            formality: character
+                .and_then(|of| of.formality)
+                .unwrap_or(USUAL_FORMALITY),
             library: self.library.clone(),
             arms: Side::BOTH.map(|side| ArmScript {
                 strokes: plans
@@ -156,6 +165,9 @@ impl ActorBuilder<'_> {
                     .collect(),
                 on: on.clone(),
             }),
+            postures: (self.carried.posture.into_iter())
+                .chain(plans.clone().flat_map(|p| p.postures.iter().copied()))
+                .collect(),
             manipulators: manipulators::together(plans.clone().map(|p| &p.manipulators)),
             speech: plans
                 .flat_map(|p| &p.utterances)

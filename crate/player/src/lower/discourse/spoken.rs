@@ -5,12 +5,15 @@ use std::sync::Arc;
 use raconteur_base::order::sort_by_number;
 use raconteur_base::text::word::composed;
 use raconteur_eml::{
-    Age, ClauseId, DivKind, Gender, Markup, Span, Speaker, TextSegment, VoiceText, Word,
+    Age, ClauseId, DivKind, Gender, Level, Markup, Span, Speaker, TextSegment, VoiceText, Word,
 };
 use raconteur_speech::TimedUtterance;
 
 use crate::lower::cues::UtteranceCue;
 use crate::lower::script::Script;
+
+/// Gain of a volume below which speech is hushed; 1 is the usual volume. *Designed*.
+const QUIET: f64 = 0.7;
 
 /// Word at its time.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +39,8 @@ pub(super) struct MarkedWord {
     pub(super) emphasized: bool,
     /// Speaker of the innermost `r:speaker` around it.
     pub(super) speaker: Option<Arc<str>>,
+    /// True if its volume makes it hushed.
+    pub(super) quiet: bool,
     /// True if a paragraph begins with it.
     pub(super) begins_paragraph: bool,
     /// True if a division begins or ends before it.
@@ -95,6 +100,7 @@ fn words(text: &VoiceText, timed: &TimedUtterance) -> Vec<MarkedWord> {
             end_secs: timed.story_secs(word.end_secs.max(word.start_secs)),
             emphasized: word.emphasized,
             speaker: mark.speaker,
+            quiet: mark.quiet,
             begins_paragraph: mark.begins_paragraph,
             follows_division: mark.follows_division,
         }
@@ -108,6 +114,7 @@ fn words(text: &VoiceText, timed: &TimedUtterance) -> Vec<MarkedWord> {
 #[derive(Clone, Debug, Default)]
 struct WordMark {
     speaker: Option<Arc<str>>,
+    quiet: bool,
     begins_paragraph: bool,
     follows_division: bool,
 }
@@ -117,27 +124,29 @@ struct WordMark {
 fn marks(text: &VoiceText) -> Vec<WordMark> {
     let words = text.words();
     let mut marks: Vec<WordMark> = Vec::with_capacity(words.len());
-    // Speakers of the open containers, the innermost last.
-    let mut open: Vec<Option<Arc<str>>> = Vec::new();
+    // Speaker and quietness in the open containers, the innermost last.
+    let mut open: Vec<(Option<Arc<str>>, bool)> = Vec::new();
     let mut divisions: Vec<Option<DivKind>> = Vec::new();
     let mut pending = WordMark::default();
     for piece in &text.pieces {
         match piece {
             TextSegment::Text { text, span, .. } => {
-                let speaker = open.last().cloned().flatten();
+                let (speaker, quiet) = open.last().cloned().unwrap_or_default();
                 let begun = begun_words(&words[marks.len()..], text, *span);
                 for _ in 0..begun {
                     marks.push(WordMark {
                         speaker: speaker.clone(),
+                        quiet,
                         ..std::mem::take(&mut pending)
                     });
                 }
             }
             TextSegment::Start { markup, .. } => {
-                let outer = open.last().cloned().flatten();
+                let (outer, quiet) = open.last().cloned().unwrap_or_default();
                 open.push(match &**markup {
-                    Markup::Speaker(speaker) => Some(name_of(speaker)),
-                    _ => outer,
+                    Markup::Speaker(speaker) => (Some(name_of(speaker)), quiet),
+                    Markup::Volume(volume) => (outer, is_quiet(&volume.level)),
+                    _ => (outer, quiet),
                 });
             }
             TextSegment::End => {
@@ -160,6 +169,15 @@ fn marks(text: &VoiceText) -> Vec<WordMark> {
         }
     }
     marks
+}
+
+/// Returns true if a volume makes speech hushed.
+fn is_quiet(level: &Level) -> bool {
+    match level {
+        Level::Word(word) => *word == "quiet",
+        Level::Percent(change) => 1.0 + change / 1e2 < QUIET,
+        Level::Number(gain) => *gain < QUIET,
+    }
 }
 
 /// Returns the number of the next words whose first letter or digit is in a piece of text or before

@@ -345,3 +345,55 @@ fn times_that_are_no_numbers_do_no_harm() {
         assert_eq!(std::mem::take(&mut found), Discourse::default(), "{secs}");
     }
 }
+
+#[test]
+fn quiet_and_whispered_words_are_hushed() {
+    let hushed = |text: &str| -> Vec<[usize; 2]> {
+        let body = format!("<voice-text time='0'>{text}</voice-text>");
+        let words = plan(&body).words;
+        let place = |t: f64, of: fn(&TimedWord) -> f64| {
+            let found = words.iter().position(|word| of(word) == t);
+            found.expect("a span begins and ends with words")
+        };
+        let spans = discourse(&[&body]).hushed.into_iter();
+        spans
+            .map(|span| {
+                [
+                    place(span.start_secs, |word| word.start_secs),
+                    place(span.end_secs, |word| word.end_secs),
+                ]
+            })
+            .collect()
+    };
+    for (text, expected) in [
+        (
+            "He <volume level='quiet'>had a <emph>big</emph> one</volume> there.",
+            vec![[1, 4]],
+        ),
+        ("He <volume level='0.5'>had</volume> it.", vec![[1, 1]]),
+        ("He <volume level='-20%'>had</volume> it.", vec![]),
+        (
+            "He <volume level='quiet'><volume level='loud'>had</volume></volume> it.",
+            vec![],
+        ),
+        (
+            "Hush now. \u{201c}Come here\u{201d}, she whispered. And then she ran.",
+            vec![[2, 5]],
+        ),
+        ("Er fl\u{fc}sterte leise.", vec![[0, 2]]),
+        ("A whisper of wind? No.", vec![[0, 3]]),
+        ("Nothing is said.", vec![]),
+    ] {
+        assert_eq!(hushed(text), expected, "{text}");
+    }
+}
+
+#[test]
+fn a_cut_ends_hushed_speech() {
+    let body = "<voice-text time='0'>He <volume level='quiet'>had a secret</volume>.</voice-text>";
+    let mut plan = plan(body);
+    let at_secs = plan.words[2].start_secs + 0.01;
+    plan.cut(at_secs);
+    let ends: Vec<f64> = plan.hushed.iter().map(|span| span.end_secs).collect();
+    assert_eq!(ends, [at_secs], "it ends at the cut");
+}

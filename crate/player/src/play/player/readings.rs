@@ -1,7 +1,7 @@
 //! Queries of a time in addition to its frame: the spoken word, targets of the hands, a digest of
 //! the pose.
 
-use raconteur_actor::gesture::PlannedKey;
+use raconteur_actor::gesture::{PlannedKey, RestSpot};
 use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_stage::{Angle, CurrentSpeech, EmotionType, Illumination, Mood, Shot};
 
@@ -136,6 +136,12 @@ impl Player {
     /// Returns the planned keys of a hand, in the order of planning.
     pub(crate) fn planned_keys(&self, side: Side) -> &[PlannedKey] {
         self.actors.actor().plan(side).keys()
+    }
+
+    /// Returns the posture in which an arm rests at a story time; `None` if it gestures.
+    pub(crate) fn rest_spot(&self, side: Side, time_secs: f64) -> Option<RestSpot> {
+        let t = self.clock.shown_secs(time_secs, self.end_secs());
+        self.actors.actor().plan(side).rest_spot_at(t)
     }
 
     /// Evaluates the joints at a story time, world from joint, without tissue, hair, light and the
