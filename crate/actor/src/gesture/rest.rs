@@ -378,7 +378,7 @@ impl Measures {
                 self.hip_front + (0.02 + 0.065 * nearer) * scale,
             ],
             RestSpot::Hip => [
-                self.column + 0.043 * scale,
+                self.column + 0.05 * scale,
                 self.waist + 0.005 * scale,
                 self.shoulder.z + 0.03 * scale,
             ],

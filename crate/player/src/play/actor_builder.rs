@@ -15,6 +15,8 @@ use crate::options::Options;
 
 /// Formality of a performance whose script gives none, 0 (casual) to 1 (formal).
 const USUAL_FORMALITY: f64 = 0.5;
+/// Distance from the middle that steps, sway and turns add to a hand, share of stature. Designed.
+const STEPS_ASIDE: f64 = 0.05;
 /// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
 const HAND_LENGTH: f64 = 0.12;
 
@@ -73,7 +75,7 @@ impl ActorBuilder<'_> {
             })
             .chain(discourse::indicated_spaces(discourse, stature_m))
             .map(|g| Gesture {
-                space: g.space.within_reach(stature_m),
+                space: self.with_steps(g.space, stature_m).within_reach(stature_m),
                 ..g
             })
             .collect();
@@ -104,6 +106,15 @@ impl ActorBuilder<'_> {
         FramingNeeds {
             margin: room,
             gestures,
+        }
+    }
+
+    /// Adds the room that a figure needs that steps and turns with its gestures.
+    fn with_steps(&self, space: TakenSpace, stature_m: f64) -> TakenSpace {
+        TakenSpace {
+            half_width_m: space.half_width_m
+                + STEPS_ASIDE * stature_m * self.options.motion_amount,
+            ..space
         }
     }
 
