@@ -122,3 +122,57 @@ fn an_interval_has_its_own_measures() {
     assert_eq!(empty.value("right-wrist-speed-max"), None);
     assert_eq!(names(&empty), names(&whole));
 }
+
+/// A tale with direct speech, a referent at a side, a secret, and gestures.
+const TALE: &str = r"<r:place time='0' name='goat' x='45'/>
+    <gesture-key time='1' duration='0.6' handedness='both'><motion>
+    <key time='0' x='-6' y='14' z='-10'/><key time='0.5' x='-16' y='22' z='-10'/>
+    </motion></gesture-key>
+    <gesture-key time='6' duration='0.6' handedness='right'><motion>
+    <key time='0' x='-6' y='14' z='-10'/><key time='0.5' x='-20' y='24' z='-8'/>
+    </motion></gesture-key>
+    <voice-text time='0'><div type='paragraph'>Once there was a goat in a big old house.
+    She did not like the cold. Nobody came to see her.</div>
+    <div type='paragraph'>Then an ant came by, and he looked for the goat.
+    <r:speaker name='ant'>Who is there, and what do you want of me?</r:speaker> he said.
+    <volume level='quiet'>She had a secret that no one knew.</volume> The goat laughed!</div>
+    <div type='paragraph'>And they lived there together for a hundred years and a day.</div>
+    </voice-text>";
+
+/// Returns measures of the tale with an amount of motion.
+fn told(motion_amount: f64) -> MotionReport {
+    let options = Options {
+        motion_amount,
+        ..Options::default()
+    };
+    let eml = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{TALE}</body></eml>");
+    measure(&mut perform(&eml, None, figure(), options).player)
+}
+
+#[test]
+fn less_motion_calms_the_whole_body() {
+    let [still, calm, lively] = [0.0, 0.4, 1.0].map(told);
+    for (name, least) in [
+        ("chest-yaw-sd", 3.0),
+        ("chest-pitch-sd", 1.0),
+        ("chest-roll-sd", 1.0),
+        ("pelvis-across-sd", 1.5),
+        ("head-yaw-sd", 4.0),
+        ("head-speed-mean", 8.0),
+    ] {
+        let [none, little, full] = [&still, &calm, &lively].map(|report| value(report, name));
+        assert!(full > least, "{name} of lively telling is {full}");
+        assert!(
+            little < 0.75 * full,
+            "{name} is {little} instead of {full} with less motion"
+        );
+        assert!(none < 0.1 * full, "{name} without motion is {none}");
+    }
+    let steps = value(&lively, "steps-per-minute");
+    assert!(steps >= 2.0, "a lively figure steps {steps} times a minute");
+    assert_eq!(
+        value(&still, "steps-per-minute"),
+        0.0,
+        "a still one does not"
+    );
+}

@@ -1,10 +1,12 @@
 //! Beats: small movements of a held hand on accented syllables (McNeill 1992: beats are superposed
 //! on other gestures).
 
-use raconteur_base::DVec3;
+use raconteur_base::curve::lerp;
 use raconteur_base::order::sort_by_number;
+use raconteur_base::{DVec3, noise};
 
 use super::tracks::WristTrack;
+use crate::idle::stream;
 use crate::superposition::SuperposedTrack;
 
 /// Height that a hand rises before a beat, and depth of the beat below its place, for a stature of
@@ -13,6 +15,12 @@ const RISE_M: f64 = 0.042;
 const FALL_M: f64 = 0.042;
 /// Movement to the front with the fall, as a share of it. Designed.
 const FORWARD: f64 = 0.5;
+/// Sideways movement with the fall at most, likewise.
+const ASIDE_M: f64 = 0.03;
+/// Least and largest size of a beat, and share of accents without one. Designed: no two beats are
+/// alike.
+const SIZES: [f64; 2] = [0.45, 1.3];
+const SKIPPED_SHARE: f64 = 0.25;
 /// Times of rise, fall and return, seconds. Designed; strokes of beats last about 0.2 s.
 const BEAT_SECS: [f64; 3] = [0.17, 0.14, 0.26];
 /// Time between two beats of a hand at least, seconds. Designed.
@@ -24,10 +32,10 @@ const MARGIN_SECS: f64 = 0.04;
 /// Movement of a held hand at most, metres: no one holds perfectly still.
 const HELD_M: f64 = 0.02;
 
-/// Beats of one hand over the whole story: height and depth, metres.
+/// Beats of one hand over the whole story: to the left, up and to the front, metres.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Beats {
-    track: SuperposedTrack<2>,
+    track: SuperposedTrack<3>,
 }
 
 impl Beats {
@@ -39,6 +47,7 @@ impl Beats {
         beside: &[(f64, f64)],
         accents: &[f64],
         size_at: &dyn Fn(f64) -> f64,
+        seed: u64,
     ) -> Self {
         let mut pulses = Vec::new();
         let mut last = f64::NEG_INFINITY;
@@ -65,11 +74,22 @@ impl Beats {
                     continue;
                 }
                 last = start;
-                let size = span.size * size_at(*accent);
+                let bucket = (1e3 * accent).round() as i64;
+                let chance = |id: u64| noise::unit(seed, stream::BEAT + id, bucket);
+                if chance(0) < SKIPPED_SHARE {
+                    continue;
+                }
+                let [least, most] = SIZES;
+                let size = span.size * size_at(*accent) * lerp(least, most, chance(1));
+                let aside_m = ASIDE_M * size * (2.0 * chance(2) - 1.0);
                 let [rise, fall, back] = BEAT_SECS;
-                pulses.push((start, [rise, fall], [size * RISE_M, 0.0]));
+                pulses.push((start, [rise, fall], [0.0, size * RISE_M, 0.0]));
                 let fall_m = size * FALL_M;
-                pulses.push((start + rise, [fall, back], [-fall_m, FORWARD * fall_m]));
+                pulses.push((
+                    start + rise,
+                    [fall, back],
+                    [aside_m, -fall_m, FORWARD * fall_m],
+                ));
             }
         }
         Self {
@@ -79,8 +99,8 @@ impl Beats {
 
     /// Returns the displacement of the hand at a time, metres.
     pub(super) fn sample(&self, time_secs: f64) -> DVec3 {
-        let [up, front] = self.track.sample(time_secs);
-        DVec3::new(0.0, up, front)
+        let [left, up, front] = self.track.sample(time_secs);
+        DVec3::new(left, up, front)
     }
 }
 

@@ -146,7 +146,8 @@ impl ArmPlan {
             self.rest.sympathy(0.5 * (from + to)) > FREE_SYMPATHY * self.rest.amount()
         };
         let beside: Vec<(f64, f64)> = rests.into_iter().filter(is_free).collect();
-        self.beats = Beats::new(&self.wrist, &beside, accents, size_at);
+        let seed = self.rest.seed() ^ self.rig.side().index() as u64;
+        self.beats = Beats::new(&self.wrist, &beside, accents, size_at, seed);
     }
 
     /// Returns the arm for which the motion is planned.

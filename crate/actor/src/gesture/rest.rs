@@ -157,6 +157,11 @@ impl RestPostures {
         lerp(from, to, minimum_jerk(change.share)) * self.life.amount
     }
 
+    /// Returns the seed of all that is left to chance.
+    pub(super) fn seed(&self) -> u64 {
+        self.life.seed
+    }
+
     /// Returns the amount of idle motion, 0 to 1.
     pub(super) fn amount(&self) -> f64 {
         self.life.amount

@@ -27,4 +27,5 @@ pub(crate) mod stream {
     pub(crate) const POSTURE: u64 = 0x230;
     pub(crate) const REST: u64 = 0x240;
     pub(crate) const SECOND_HAND: u64 = 0x250;
+    pub(crate) const BEAT: u64 = 0x260;
 }

@@ -27,7 +27,7 @@ const DIALOGUE_SECS: f64 = 0.7;
 const APART_SECS: [f64; 2] = [6.0, 10.0];
 /// Largest displacement of a place: sideways, to the front, metres for a stature of 1.7 m.
 /// Designed; people's shifts are 8 to 10 cm.
-const PLACE_M: [f64; 2] = [0.085, 0.06];
+const PLACE_M: [f64; 2] = [0.075, 0.06];
 /// Largest heading of a place, radians. Designed.
 const HEADING_RAD: f64 = 0.16;
 /// Part of a character's side in the heading of a place, radians. Designed.
@@ -186,8 +186,8 @@ fn changes(
             changes.push(StandingChange {
                 at_secs: start - 0.1,
                 to: Standing {
-                    x,
-                    z: PLACE_M[1] * r(1),
+                    x: vigour.amount * x,
+                    z: vigour.amount * PLACE_M[1] * r(1),
                     yaw: vigour.amount * yaw,
                 },
             });

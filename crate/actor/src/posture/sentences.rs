@@ -1,6 +1,8 @@
 //! Sentences of a performance on the story clock.
 
 use raconteur_base::order::sort_by_number;
+use raconteur_base::text::sentence::ends_after;
+use raconteur_base::text::word::Word;
 use raconteur_speech::TimedUtterance;
 
 /// Distance of a paragraph's start from a sentence's start within which they coincide, seconds.
@@ -15,8 +17,8 @@ pub(crate) struct SentenceSpan {
     pub(crate) begins_paragraph: bool,
 }
 
-/// Returns the sentences of all utterances, sorted by time. An utterance without known sentences
-/// counts as one. `paragraphs` are sorted.
+/// Returns the sentences of all utterances, sorted by time; those of an utterance without known
+/// sentences end with the punctuation of its words. `paragraphs` are sorted.
 pub(crate) fn sentence_spans(speech: &[TimedUtterance], paragraphs: &[f64]) -> Vec<SentenceSpan> {
     let mut spans = Vec::new();
     for timed in speech {
@@ -40,7 +42,14 @@ pub(crate) fn sentence_spans(speech: &[TimedUtterance], paragraphs: &[f64]) -> V
             }
         };
         if timed.utterance.sentences.is_empty() {
-            add(0, words.len());
+            let written: Vec<Word<'_>> = words.iter().map(|word| Word::parse(&word.text)).collect();
+            let mut first = 0;
+            for at in 0..words.len() {
+                if at + 1 == words.len() || ends_after(&written, at, None) {
+                    add(first, at + 1 - first);
+                    first = at + 1;
+                }
+            }
         }
         for sentence in &timed.utterance.sentences {
             add(sentence.first_word, sentence.words);

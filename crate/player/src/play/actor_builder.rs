@@ -112,8 +112,7 @@ impl ActorBuilder<'_> {
     /// Adds the room that a figure needs that steps and turns with its gestures.
     fn with_steps(&self, space: TakenSpace, stature_m: f64) -> TakenSpace {
         TakenSpace {
-            half_width_m: space.half_width_m
-                + STEPS_ASIDE * stature_m * self.options.motion_amount,
+            half_width_m: space.half_width_m + STEPS_ASIDE * stature_m * self.options.motion_amount,
             ..space
         }
     }
