@@ -27,10 +27,10 @@ const SHAKE_SECS: f64 = 0.26;
 /// Time between two shakes at least, seconds. Designed.
 const SHAKE_APART_SECS: f64 = 1.6;
 /// Tilt in a question, radians. Designed.
-const TILT_RAD: f64 = 0.12;
+const TILT_RAD: f64 = 0.1;
 /// Posture of the head for a phrase, largest: pitch (down), yaw, roll, radians. Designed; standard
 /// deviations of people's heads in lively telling are 8, 12 and 5°.
-const POSTURE_RAD: [f64; 3] = [0.13, 0.24, 0.125];
+const POSTURE_RAD: [f64; 3] = [0.15, 0.24, 0.085];
 /// Shortest time between two postures, seconds. Designed.
 const POSTURE_APART_SECS: f64 = 1.15;
 /// Time from the start of a turn to the first posture, seconds. Designed.

@@ -28,7 +28,7 @@ const YAW_BOTH_RAD: [f64; 2] = [0.035, 0.1];
 const LEAN_AHEAD_RAD: f64 = 0.13;
 const LEAN_HIGH_RAD: f64 = -0.16;
 /// Roll away from a high hand, radians for each share of the reach. Designed.
-const ROLL_HIGH_RAD: f64 = 0.14;
+const ROLL_HIGH_RAD: f64 = 0.12;
 /// Weight on the foot of the side that the trunk turns to, for each radian. Designed.
 const WEIGHT_BY_YAW: f64 = 3.5;
 /// Elevation of a shoulder for each share of the reach that its hand is above mid-trunk, radians.
@@ -60,7 +60,7 @@ const SETTLE_SECS: f64 = 0.5;
 const TOGETHER_SECS: f64 = 0.7;
 /// Largest shift at a sentence: lean, roll, yaw, radians. Designed; people's chest leans with a
 /// standard deviation of 3.5° and rolls with 5.3°.
-const SHIFT_RAD: [f64; 3] = [0.035, 0.07, 0.075];
+const SHIFT_RAD: [f64; 3] = [0.035, 0.055, 0.075];
 /// Duration of a shift, seconds. Designed.
 const SHIFT_SECS: f64 = 1.1;
 /// Shortest time between two shifts, seconds. Designed.

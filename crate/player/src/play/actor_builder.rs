@@ -16,7 +16,7 @@ use crate::options::Options;
 /// Formality of a performance whose script gives none, 0 (casual) to 1 (formal).
 const USUAL_FORMALITY: f64 = 0.5;
 /// Distance from the middle that steps, sway and turns add to a hand, share of stature. Designed.
-const STEPS_ASIDE: f64 = 0.05;
+const STEPS_ASIDE: f64 = 0.07;
 /// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
 const HAND_LENGTH: f64 = 0.12;
 
