@@ -214,8 +214,8 @@ impl Actor {
                 let (arms, ..) = self.arms(skeleton, t, with, &mut pose);
                 arms[side.index()]
             };
-            let moving = self.plans[side.index()].moving();
-            JumpSmoothing::find(moving.into_iter(), &arm_at)
+            let changing = self.plans[side.index()].changing();
+            JumpSmoothing::find(changing.into_iter(), &arm_at)
         })
     }
 

@@ -14,11 +14,13 @@ use crate::limb::{ArmGoal, ArmSolution};
 /// Largest displacement of a resting hand with the other one, for a stature of 1.7 m, metres.
 const MAX_ALONG_M: f64 = 0.14;
 
-/// Moves a resting hand along with the mirrored movement of the other one, away from the body.
+/// Moves a resting hand along with the mirrored movement of the other one, away from the body and
+/// from the other hand.
 fn move_along(targets: &mut [HandTarget; 2], scale: f64) {
-    let along = [1, 0].map(|other: usize| {
-        let mirrored = mirror_vector(targets[other].excursion);
-        DVec3::new(mirrored.x, mirrored.y, mirrored.z.max(0.0))
+    let along = Side::BOTH.map(|side| {
+        let mirrored = mirror_vector(targets[side.opposite().index()].excursion);
+        let out = (side.sign() * mirrored.x).max(0.0);
+        DVec3::new(side.sign() * out, mirrored.y, mirrored.z.max(0.0))
     });
     for (target, along) in targets.iter_mut().zip(along) {
         target.wrist += (along * target.sympathy).clamp_length_max(MAX_ALONG_M * scale);
@@ -67,10 +69,8 @@ impl Actor {
         let axes = [turned * DVec3::X, turned * DVec3::Z];
         let apart = self.contact.apart([&met[0], &met[1]], axes);
         if apart != DVec3::ZERO {
-            // A gesturing hand keeps its place; the resting one makes way.
-            let left = 0.5 + 0.5 * (targets[0].rest_share - targets[1].rest_share);
-            hands[0].wrist += apart * left;
-            hands[1].wrist -= apart * (1.0 - left);
+            hands[0].wrist += apart * 0.5;
+            hands[1].wrist -= apart * 0.5;
             arms = Side::BOTH.map(|side| solve(side, &hands[side.index()]));
         }
         for side in Side::BOTH {

@@ -211,16 +211,15 @@ impl ArmPlan {
             busy(&self.wrist.times, wrist),
             busy(&self.hand.times, self.hand.turned()),
         ];
-        let mut order = moved.concat();
-        raconteur_base::order::sort_by_number(&mut order, |(from, _)| *from);
-        let mut spans: Vec<(f64, f64)> = Vec::new();
-        for (from, to) in order {
-            match spans.last_mut() {
-                Some(last) if from <= last.1 => last.1 = last.1.max(to),
-                _ => spans.push((from, to)),
-            }
-        }
-        spans
+        joined(moved.concat())
+    }
+
+    /// Returns the intervals in which the arm gestures or changes its rest posture, story time,
+    /// seconds; without the regular changes after the last gesture.
+    pub(crate) fn changing(&self) -> Vec<(f64, f64)> {
+        let mut spans = self.moving();
+        spans.extend(self.rest.planned_changes());
+        joined(spans)
     }
 
     /// Restricts the rest posture to a welcome, see [`RestPostures::use_welcome_posture`].
@@ -254,6 +253,19 @@ impl ArmPlan {
             Some(_) => HandState::Busy,
         }
     }
+}
+
+/// Returns intervals sorted, those that overlap as one.
+fn joined(mut spans: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    raconteur_base::order::sort_by_number(&mut spans, |(from, _)| *from);
+    let mut joined: Vec<(f64, f64)> = Vec::with_capacity(spans.len());
+    for (from, to) in spans {
+        match joined.last_mut() {
+            Some(last) if from <= last.1 => last.1 = last.1.max(to),
+            _ => joined.push((from, to)),
+        }
+    }
+    joined
 }
 
 /// Returns the parts of intervals outside others; both are sorted and do not overlap.

@@ -157,6 +157,11 @@ impl RestPostures {
         lerp(from, to, minimum_jerk(change.share)) * self.life.amount
     }
 
+    /// Returns the planned changes of posture, seconds.
+    pub(super) fn planned_changes(&self) -> Vec<(f64, f64)> {
+        self.schedule.planned_changes(self.side)
+    }
+
     /// Returns the seed of all that is left to chance.
     pub(super) fn seed(&self) -> u64 {
         self.life.seed

@@ -105,12 +105,10 @@ impl RestPosture {
         }
     }
 
-    /// Returns true if a gesture can begin from the posture without delay.
+    /// Returns true if the hands can come to the posture and leave it again in a short time: near
+    /// the body's middle, and apart.
     pub(super) fn is_near(self) -> bool {
-        matches!(
-            self,
-            Self::Belly | Self::Clasped | Self::Fingertips | Self::OneAtBelly | Self::WristHeld
-        )
+        matches!(self, Self::Belly | Self::OneAtBelly)
     }
 }
 

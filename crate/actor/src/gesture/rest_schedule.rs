@@ -135,6 +135,19 @@ impl RestSchedule {
         schedule
     }
 
+    /// Returns the planned changes of an arm, seconds.
+    pub(super) fn planned_changes(&self, side: Side) -> Vec<(f64, f64)> {
+        let mut before = RestSpot::default();
+        let changes = self.changes[side.index()].iter();
+        changes
+            .map(|change| {
+                let length_secs = change.length_secs(before);
+                before = change.to;
+                (change.at_secs, change.at_secs + length_secs)
+            })
+            .collect()
+    }
+
     /// Returns the change of an arm's posture that is in force at a time, and the posture before
     /// it.
     pub(super) fn change_at(&self, side: Side, time_secs: f64) -> (RestChange, RestSpot) {
