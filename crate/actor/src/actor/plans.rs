@@ -58,7 +58,11 @@ impl BodyPlans {
             deixis::indicate(&mut scripts, &discourse.mentions, rigs);
         }
         let mood_at = |t: f64| RestMood::new(&feeling.affect(t), performance.formality);
-        let rests = Arc::new(RestSchedule::in_mood(&scripts, life, &mood_at));
+        let told_secs = (performance.speech.iter())
+            .map(raconteur_speech::TimedUtterance::end_secs)
+            .filter(|t| t.is_finite())
+            .fold(f64::NEG_INFINITY, f64::max);
+        let rests = Arc::new(RestSchedule::in_mood(&scripts, life, told_secs, &mood_at));
         let mut arms = rigs.each_ref().map(|rig| {
             let script = &scripts[rig.side().index()];
             let body = (skeleton, Arc::clone(rig));

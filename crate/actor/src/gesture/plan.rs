@@ -163,8 +163,8 @@ impl ArmPlan {
         let rest = self.rest.sample(time_secs);
         let t = self.paced(time_secs);
         let (wrist, rest_share) = self.wrist.sample(&self.rig, t, rest.wrist);
-        let wrist = wrist + self.beats.sample(t);
         let (hand, hand_rest_share) = self.hand.sample(&self.rig, t, &rest, wrist);
+        let wrist = wrist + self.beats.sample(t);
         let (shape, finger_rest_share) = self.fingers.sample(t, &self.rest.fingers(time_secs));
         HandTarget {
             wrist,

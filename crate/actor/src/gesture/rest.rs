@@ -16,6 +16,8 @@ const RANDOM_DRIFT: u64 = 0xd21f7;
 /// Detour of the dominant hand on its way to or from the other hand, and of a hand that leaves a
 /// hip, metres. Designed: more than the thickness of a hand.
 const DETOUR_M: f64 = 0.07;
+/// Bow to the front of any other change, metres. Designed.
+const BOW_M: f64 = 0.02;
 /// Share of a change of posture that each part of a way with one and with two places between takes.
 /// The parts overlap, so that the hand does not stop. Designed.
 const PART_SHARES: [f64; 2] = [0.64, 0.5];
@@ -230,7 +232,7 @@ impl RestPostures {
         let past = match (self.side == self.life.dominant, behind, meets) {
             (true, true, _) => DVec3::NEG_Z * DETOUR_M,
             (true, false, true) => DVec3::Z * DETOUR_M,
-            _ => DVec3::ZERO,
+            _ => DVec3::Z * BOW_M,
         };
         past + DVec3::X * out
     }
@@ -370,7 +372,7 @@ impl Measures {
             RestSpot::Belly => [
                 0.16 * scale,
                 self.waist - 0.006 * nearer * scale,
-                self.front + (0.064 + 0.02 * nearer) * scale,
+                self.front + (0.068 + 0.02 * nearer) * scale,
             ],
             RestSpot::Clasped => [
                 0.095 * scale,
@@ -388,12 +390,12 @@ impl Measures {
                 self.hip_front + (0.02 + 0.065 * nearer) * scale,
             ],
             RestSpot::Hip => [
-                self.column + 0.05 * scale,
+                self.column + 0.056 * scale,
                 self.waist + 0.005 * scale,
                 self.shoulder.z + 0.03 * scale,
             ],
             RestSpot::Pocket => [
-                self.column + 0.037 * scale,
+                self.column + 0.042 * scale,
                 self.waist - 0.13 * scale,
                 self.shoulder.z + 0.03 * scale,
             ],

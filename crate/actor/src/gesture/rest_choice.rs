@@ -5,7 +5,7 @@ use raconteur_speech::emotion::EmotionPoint;
 use super::RestPosture;
 
 /// Seconds of use that the full liking for a posture outweighs. Designed.
-const LIKING_SECS: f64 = 9.0;
+const LIKING_SECS: f64 = 20.0;
 
 /// Mood in which a posture is chosen: degrees of sorrow, anger, fear and joy, 0 to 1, and formality,
 /// −1 (casual) to 1 (formal).

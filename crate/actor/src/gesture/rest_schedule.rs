@@ -33,6 +33,8 @@ const SHORT_SECS: f64 = 3.2;
 /// they come free, seconds. Designed.
 const LONG_SECS: f64 = 6.5;
 const FREE_SECS: f64 = 2.6;
+/// Time from the start of a story to the first change of posture, seconds. Designed.
+const SETTLED_SECS: f64 = 2.0;
 /// Postures of an arm that rests while the other one gestures, by their frequency. Designed: mostly
 /// in front of the body, where it moves along.
 const SINGLE: [RestSpot; 5] = [
@@ -105,18 +107,20 @@ impl RestSchedule {
     /// Plans the rests between the gestures of both arms, without feeling.
     #[must_use]
     pub fn new(scripts: &[ArmScript; 2], life: &IdleSettings) -> Self {
-        Self::in_mood(scripts, life, &|_| RestMood::default())
+        Self::in_mood(scripts, life, f64::NEG_INFINITY, &|_| RestMood::default())
     }
 
-    /// Plans the rests between the gestures of both arms; `mood_at` gives the mood at a time.
+    /// Plans the rests between the gestures of both arms, and those until the end of the speech,
+    /// seconds; `mood_at` gives the mood at a time.
     pub(crate) fn in_mood(
         scripts: &[ArmScript; 2],
         life: &IdleSettings,
+        told_secs: f64,
         mood_at: &dyn Fn(f64) -> RestMood,
     ) -> Self {
         let busy = scripts.each_ref().map(busy_spans);
         let last = busy.iter().filter_map(|spans| spans.last());
-        let tail_secs = last.map(|span| span.1).fold(f64::NEG_INFINITY, f64::max);
+        let tail_secs = last.map(|span| span.1).fold(told_secs, f64::max);
         let mut schedule = Self {
             changes: Default::default(),
             tail_secs: if tail_secs.is_finite() {
@@ -130,7 +134,7 @@ impl RestSchedule {
             dominant: life.dominant,
         };
         if life.amount > 0.0 {
-            schedule.fill(&gaps(&busy), mood_at);
+            schedule.fill(&gaps(&busy, told_secs), mood_at);
         }
         schedule
     }
@@ -251,15 +255,26 @@ impl RestSchedule {
     /// Lets both arms rest, in several postures if the gap is long.
     fn rest_both(&mut self, gap: &Gap, mood_at: &dyn Fn(f64) -> RestMood, so_far: &mut RestsSoFar) {
         let length = gap.end_secs - gap.start_secs;
-        let parts = (length / MAX_KEEP_SECS).ceil().clamp(1.0, 1e4) as usize;
-        let part_secs = length / parts as f64;
+        // A later end of the gap changes nothing before it.
+        let parts = ((length - SHORT_SECS) / MAX_KEEP_SECS)
+            .ceil()
+            .clamp(1.0, 1e4) as usize;
         for part in 0..parts {
-            let at_secs = gap.start_secs + part_secs * part as f64;
+            let at_secs = gap.start_secs + MAX_KEEP_SECS * part as f64;
+            let part_secs = if part + 1 < parts {
+                MAX_KEEP_SECS
+            } else {
+                gap.end_secs - at_secs
+            };
             let bucket = milliseconds(gap.start_secs) + part as i64;
             let posture = self.choose(so_far, &mood_at(at_secs), part_secs, bucket);
             so_far.used_secs[posture as usize] += part_secs;
             so_far.last = Some(posture);
             let to = posture.spots(self.lead(bucket));
+            if to[0] != to[1] {
+                // The other arm hangs.
+                so_far.used_secs[RestPosture::Hanging as usize] += 0.5 * part_secs;
+            }
             for (arm, to) in to.into_iter().enumerate() {
                 if to != so_far.spots[arm] {
                     self.change(arm, at_secs, CHANGE_SECS, to);
@@ -368,13 +383,22 @@ fn busy_spans(script: &ArmScript) -> Vec<(f64, f64)> {
     joined
 }
 
-/// Returns the intervals between all changes of the busy arms, from the start to the last gesture.
-fn gaps(busy: &[Vec<(f64, f64)>; 2]) -> Vec<Gap> {
+/// Returns the intervals between all changes of the busy arms, from the start to the last gesture or
+/// the end of the speech.
+fn gaps(busy: &[Vec<(f64, f64)>; 2], told_secs: f64) -> Vec<Gap> {
     let mut times: Vec<f64> = busy
         .iter()
         .flatten()
         .flat_map(|(from, to)| [*from, *to])
         .collect();
+    let first_secs = times.iter().copied().fold(told_secs, f64::min);
+    if told_secs.is_finite() && first_secs > SETTLED_SECS + SHORT_SECS {
+        times.push(SETTLED_SECS);
+    }
+    let last_secs = times.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if told_secs.is_finite() && told_secs > last_secs + SHORT_SECS {
+        times.push(told_secs);
+    }
     sort_by_number(&mut times, |t| *t);
     times.dedup();
     let is_busy = |arm: usize, t: f64| {

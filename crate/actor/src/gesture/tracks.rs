@@ -256,6 +256,10 @@ fn turned(
     }
     let a = rig.angles_of_hand(from.wrist, from.hand);
     let b = rig.angles_of_hand(to.wrist, to.hand);
-    let bent = rig.hand_from_angles(wrist, &a.lerp(&b, m));
+    // What a wrist cannot bend to is off at both ends; the path begins and ends where they are.
+    let off =
+        |end: &RestingHand, angles| end.hand * rig.hand_from_angles(end.wrist, angles).inverse();
+    let off = off(from, &a).slerp(off(to, &b), m);
+    let bent = off * rig.hand_from_angles(wrist, &a.lerp(&b, m));
     straight.slerp(bent, by_wrist).normalized()
 }

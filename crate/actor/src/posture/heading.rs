@@ -24,7 +24,7 @@ const TURN_LEAD_SECS: f64 = 0.35;
 const DIALOGUE_SECS: f64 = 0.7;
 /// Shortest time between two changes of place: at a paragraph and at any other sentence, seconds.
 /// Designed; people make 2 to 9 steps or shifts a minute.
-const APART_SECS: [f64; 2] = [12.0, 12.8];
+const APART_SECS: [f64; 2] = [9.5, 12.5];
 /// Largest displacement of a place: sideways, to the front, metres for a stature of 1.7 m.
 /// Designed; people's shifts are 8 to 10 cm.
 const PLACE_M: [f64; 2] = [0.075, 0.06];
