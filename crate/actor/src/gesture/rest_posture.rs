@@ -105,6 +105,11 @@ impl RestPosture {
         }
     }
 
+    /// Returns true if the hands touch in the posture.
+    pub(super) fn touches(self) -> bool {
+        matches!(self, Self::Clasped | Self::Fingertips | Self::WristHeld)
+    }
+
     /// Returns true if the hands can come to the posture and leave it again in a short time: near
     /// the body's middle, and apart.
     pub(super) fn is_near(self) -> bool {

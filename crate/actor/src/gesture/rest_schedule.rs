@@ -29,6 +29,8 @@ const KEEP_SECS: f64 = 11.0;
 const MAX_KEEP_SECS: f64 = 8.0;
 /// Gap between gestures below which the hands stay near the body's middle, seconds. Designed.
 const SHORT_SECS: f64 = 3.2;
+/// Shortest time for hands that touch, seconds. Designed.
+const TOUCHING_SECS: f64 = 4.5;
 /// Shortest time for arms folded or behind the back, and the time before the next gesture at which
 /// they come free, seconds. Designed.
 const LONG_SECS: f64 = 6.5;
@@ -302,7 +304,12 @@ impl RestSchedule {
         let mut best = (f64::INFINITY, RestPosture::Belly);
         for posture in RestPosture::ALL {
             let is_far = posture.spots(Side::Left).iter().any(|spot| spot.is_far());
-            let fits = posture.is_near() || secs >= if is_far { LONG_SECS } else { SHORT_SECS };
+            let least_secs = match (is_far, posture.touches()) {
+                (true, _) => LONG_SECS,
+                (false, true) => TOUCHING_SECS,
+                (false, false) => SHORT_SECS,
+            };
+            let fits = posture.is_near() || secs >= least_secs;
             if Some(posture) == so_far.last || !fits {
                 continue;
             }
