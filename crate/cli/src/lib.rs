@@ -77,6 +77,8 @@ enum Command {
     Express(commands::express::Express),
     /// Play a score on the built-in synthesiser.
     Compose(commands::compose::Compose),
+    /// Convert a transcription of gestures into a story.
+    Import(commands::import::Import),
     /// Pack a story as a course for a learning management system, or for a plain site.
     Export(commands::export::Export),
     /// Perform fragments sent by minds while the story plays.
@@ -102,6 +104,7 @@ impl Command {
             Self::Motion(c) => c.run(),
             Self::Express(c) => c.run(),
             Self::Compose(c) => c.run(),
+            Self::Import(c) => c.run(),
             Self::Export(c) => c.run(),
             Self::Serve(c) => c.run(),
             Self::Figure(c) => c.run(),

@@ -17,6 +17,7 @@ pub(crate) fn scale_by_tension(scripts: &mut [ArmScript; 2], discourse: &Discour
         let others = ByStart::new(&scripts[side.opposite().index()].strokes);
         let is_fixed = |stroke: &GestureStroke| {
             stroke.phase != GesturePhase::Stroke
+                || stroke.is_transcribed
                 || stroke.pace.is_some()
                 || stroke.keys.iter().any(|key| key.stays_in_world)
                 || others

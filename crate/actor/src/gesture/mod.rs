@@ -107,6 +107,9 @@ pub enum GesturePhase {
 pub struct GestureStroke {
     /// Gesture phase to which the keys belong.
     pub phase: GesturePhase,
+    /// True if the phase is transcribed: keys keep their places and times exactly, and are not
+    /// varied by the tension of the story or by the hand.
+    pub is_transcribed: bool,
     /// Beginning, story time, seconds. In a stroke the hand has arrived at the first key by that
     /// key's own time, whatever this value; in other phases it departs at this time.
     pub start_secs: f64,

@@ -81,7 +81,8 @@ impl ByStart {
 fn mirrors(a: &GestureStroke, b: &GestureStroke) -> bool {
     let both = a.phase == GesturePhase::Stroke && b.phase == GesturePhase::Stroke;
     let moves = |stroke: &GestureStroke| stroke.keys.iter().any(|k| k.wrist_in_world.is_some());
-    both && a.pace.is_none()
+    both && !a.is_transcribed
+        && a.pace.is_none()
         && moves(a)
         && a.keys.len() == b.keys.len()
         && a.keys.iter().zip(&b.keys).all(|(a, b)| mirror_keys(a, b))

@@ -8,6 +8,7 @@ pub(crate) mod express;
 pub(crate) mod faces;
 pub(crate) mod figure;
 pub(crate) mod fmt;
+pub(crate) mod import;
 pub(crate) mod motion;
 pub(crate) mod new;
 pub(crate) mod pose;

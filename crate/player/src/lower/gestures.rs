@@ -263,6 +263,8 @@ pub(crate) fn strokes(
             // A phase may have no keys: a hold or a retraction.
             (gesture.phase.is_some() || !keys.is_empty()).then_some(GestureStroke {
                 phase,
+                // Whoever names the phase of a movement has seen it, or builds it step by step.
+                is_transcribed: gesture.phase.is_some(),
                 start_secs: timed.start_secs,
                 end_secs: timed.end_secs,
                 keys,
