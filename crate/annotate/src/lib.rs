@@ -1,16 +1,12 @@
 //! Transcriptions of gesture and behaviour in other formats: the Gesture Scripting Language
-//! ([`gsl`]), the Gesture Recording Algorithm ([`gestura`]) and files of ANVIL ([`anvil`]), and
-//! their conversion to EML ([`to_eml`]).
+//! ([`gsl`]), the Gesture Recording Algorithm ([`gestura`]) and files of ANVIL ([`anvil`]) and
+//! ELAN ([`elan`]), and their conversion to EML ([`to_eml`]).
 //!
 //! Problems of a file are diagnostics with spans in its decoded text; reading never fails. Times are
 //! in seconds of the recording.
 
-#![expect(
-    clippy::wildcard_imports,
-    reason = "the names of tracks and attributes are one list, used as a whole"
-)]
-
 pub mod anvil;
+pub mod elan;
 pub mod encoding;
 pub mod gestura;
 pub mod gsl;

@@ -63,6 +63,16 @@ impl From<String> for Text {
 }
 
 impl Text {
+    /// Returns another value at the same place.
+    #[must_use]
+    pub(crate) fn with_value(&self, value: String) -> Self {
+        Self {
+            value,
+            span: self.span,
+            exact: false,
+        }
+    }
+
     /// Returns the span of bytes `start` to `end` of the value. The whole text if it contains
     /// references, which makes offsets differ.
     #[must_use]

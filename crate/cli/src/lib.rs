@@ -79,6 +79,8 @@ enum Command {
     Compose(commands::compose::Compose),
     /// Convert a transcription of gestures into a story.
     Import(commands::import::Import),
+    /// Check transcriptions of gestures and count them.
+    Transcription(commands::transcription::Transcription),
     /// Pack a story as a course for a learning management system, or for a plain site.
     Export(commands::export::Export),
     /// Perform fragments sent by minds while the story plays.
@@ -105,6 +107,7 @@ impl Command {
             Self::Express(c) => c.run(),
             Self::Compose(c) => c.run(),
             Self::Import(c) => c.run(),
+            Self::Transcription(c) => c.run(),
             Self::Export(c) => c.run(),
             Self::Serve(c) => c.run(),
             Self::Figure(c) => c.run(),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use raconteur_eml::{Diagnostic, Span, quoted};
 
-use super::word::letters;
+use super::letters;
 use super::{Dimension, Vocabulary};
 use super::{GestureClass, Hands, Interval, Layer, PhaseKind, Phrase, Transcription, beat_score};
 

@@ -26,6 +26,7 @@ pub use form::{Form, Noted};
 pub use statistics::{Durations, Statistics, Tally};
 pub use word::Vocabulary;
 
+pub(crate) use word::letters;
 use word::vocabulary;
 
 /// Transcription of a recording.

@@ -22,7 +22,7 @@ mod write;
 use raconteur_base::Side;
 
 pub use feature::{Feature, Palm, Position, Shape};
-pub use keys::{from_tracks, tracks};
+pub use keys::{InEml, from_tracks, tracks};
 pub use node::GslError;
 
 /// Value of a feature over a phase: common to both hands, or per hand.
@@ -84,7 +84,8 @@ impl Offset {
     pub fn secs(self, duration_secs: f64) -> f64 {
         match self {
             Self::Secs(secs) => secs,
-            Self::Percent(percent) => duration_secs * percent / 100.0,
+            // In this order, 100 % is exactly the end.
+            Self::Percent(percent) => duration_secs * (percent / 100.0),
         }
     }
 }

@@ -3,7 +3,7 @@
 use raconteur_base::Side;
 use raconteur_eml::Handedness;
 
-use crate::gestura::{Form, Hands, Phase};
+use crate::gestura::{Form, Hands, Phase, letters};
 use crate::gsl::{Feature, Item, Offset, Position, Sequence, Value};
 
 /// Returns the hands of EML.
@@ -39,6 +39,15 @@ pub(super) fn named(phases: &[Phase]) -> Option<Hands> {
     } else {
         Hands::Both
     })
+}
+
+/// Returns the hand after which a layer is named.
+pub(super) fn of_layer(name: &str) -> Option<Hands> {
+    match letters(name).as_str() {
+        "right" | "rh" | "righthand" => Some(Hands::Right),
+        "left" | "lh" | "lefthand" => Some(Hands::Left),
+        _ => None,
+    }
 }
 
 fn per_hand(form: &Form) -> bool {
@@ -108,15 +117,44 @@ pub(super) fn path(
     (right.is_some() || left.is_some()).then_some(Value::PerHand { right, left })
 }
 
+/// Returns the first feature of each hand as a value without times.
+pub(super) fn first<F: Feature>(value: &Value<F>) -> Option<Value<F>> {
+    map(value, |sequence| Some(alone(sequence.items.first()?)))
+}
+
 /// Returns the last feature of each hand as a value without times.
 pub(super) fn last<F: Feature>(value: &Value<F>) -> Option<Value<F>> {
-    map(value, |sequence| {
-        let item = sequence.items.last()?.clone();
-        Some(Sequence {
-            items: vec![Item {
-                offset: None,
-                feature: item.feature,
-            }],
-        })
-    })
+    map(value, |sequence| Some(alone(sequence.items.last()?)))
+}
+
+fn alone<F: Feature>(item: &Item<F>) -> Sequence<F> {
+    Sequence {
+        items: vec![Item {
+            offset: None,
+            feature: item.feature.clone(),
+        }],
+    }
+}
+
+/// Returns a value that leads to another one: a feature alone is reached by half of the phase if
+/// the next one differs.
+pub(super) fn before<F: Feature>(value: &Value<F>, next: &Value<F>) -> Value<F> {
+    let led = |sequence: &Sequence<F>, next: Option<&Sequence<F>>| match (&sequence.items[..], next)
+    {
+        ([item], Some(next)) if item.offset.is_none() && item.feature != next.items[0].feature => {
+            let half = Item {
+                offset: Some(Offset::Percent(50.0)),
+                feature: item.feature.clone(),
+            };
+            Sequence { items: vec![half] }
+        }
+        _ => sequence.clone(),
+    };
+    match value {
+        Value::Common(sequence) => Value::Common(led(sequence, next.of(Side::Right))),
+        Value::PerHand { right, left } => Value::PerHand {
+            right: right.as_ref().map(|right| led(right, next.of(Side::Right))),
+            left: left.as_ref().map(|left| led(left, next.of(Side::Left))),
+        },
+    }
 }

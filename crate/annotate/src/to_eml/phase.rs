@@ -1,37 +1,54 @@
 //! One phase as a gesture-key.
 
-use raconteur_eml::{GestureKey, Handedness};
+use raconteur_base::Side;
+use raconteur_eml::{GestureKey, Handedness, Track};
 
 use super::hands;
 use crate::gestura::{Form, Noted, Phase, PhaseKind};
-use crate::gsl::{Feature, Position, Sequence, Value, tracks};
+use crate::gsl::{Feature, InEml, Offset, Position, Sequence, Value, tracks};
 use crate::script::rounded;
 
-/// Returns the gesture-key of a phase.
-pub(super) fn gesture_key(phase: &Phase, length_secs: f64, handedness: Handedness) -> GestureKey {
+/// Returns the gesture-key of a phase. Items after its end are performed at its end.
+pub(super) fn gesture_key(phase: &Phase, handedness: Handedness) -> GestureKey {
     let form = &phase.form;
-    let duration_secs = rounded(length_secs);
-    let span = phase.span;
     GestureKey {
-        duration_secs,
+        duration_secs: rounded(phase.interval.length_secs()),
         handedness,
         phase: Some(eml_phase(phase.kind)),
         pace: None,
-        hand_shapes: performed(form.hand_shapes.as_ref(), phase)
-            .map(|value| tracks(&value, duration_secs, span))
-            .unwrap_or_default()
-            .into(),
-        palms: performed(form.palm_orientations.as_ref(), phase)
-            .map(|value| tracks(&value, duration_secs, span))
-            .unwrap_or_default()
-            .into(),
-        motions: motion(form)
-            .and_then(|value| inner(&value, phase))
-            .map(|value| tracks(&value, duration_secs, span))
-            .unwrap_or_default()
-            .into(),
+        hand_shapes: keyed(formal(form.hand_shapes.as_ref()).cloned(), phase),
+        palms: keyed(formal(form.palm_orientations.as_ref()).cloned(), phase),
+        motions: keyed(motion(form), phase),
     }
 }
+
+/// Returns the tracks of a feature.
+fn keyed<F: InEml>(value: Option<Value<F>>, phase: &Phase) -> Box<[Track<F::Key>]> {
+    let duration_secs = rounded(phase.interval.length_secs());
+    let value = value.and_then(|value| inner(&value, phase));
+    let tracks = value.map(|value| tracks(&value, duration_secs, phase.span));
+    let mut tracks = tracks.unwrap_or_default();
+    for key in tracks.iter_mut().flat_map(|track| &mut track.keys) {
+        key.offset_secs = rounded(key.offset_secs).min(duration_secs);
+    }
+    tracks.into()
+}
+
+/// Returns true if an item of the form comes after the end of the phase.
+pub(super) fn is_late(phase: &Phase) -> bool {
+    fn late<F>(value: Option<&Value<F>>, length_secs: f64) -> bool {
+        let sequences = Side::BOTH.into_iter().filter_map(|side| value?.of(side));
+        let mut times = sequences.flat_map(|sequence| sequence.offsets_secs(length_secs));
+        times.any(|time| time > length_secs + LATE_SECS)
+    }
+    let (form, length_secs) = (&phase.form, phase.interval.length_secs());
+    late(formal(form.motion.as_ref()), length_secs)
+        || late(formal(form.hand_shapes.as_ref()), length_secs)
+        || late(formal(form.palm_orientations.as_ref()), length_secs)
+}
+
+/// Time after the end of a phase that counts as its end, seconds.
+const LATE_SECS: f64 = 1e-3;
 
 fn eml_phase(kind: PhaseKind) -> raconteur_eml::Phase {
     use raconteur_eml::Phase as Eml;
@@ -56,10 +73,6 @@ pub(super) fn motion(form: &Form) -> Option<Value<Position>> {
 /// Returns the value of a feature; `None` if it is absent or informal.
 pub(super) fn formal<F>(noted: Option<&Noted<F>>) -> Option<&Value<F>> {
     noted.and_then(|noted| noted.value.as_ref())
-}
-
-fn performed<F: Feature>(noted: Option<&Noted<F>>, phase: &Phase) -> Option<Value<F>> {
-    inner(formal(noted)?, phase)
 }
 
 /// Returns a value without what belongs to the rest of the source: the first item of a preparation
@@ -95,7 +108,7 @@ fn timed<F: Feature>(
         if keep(time, count) {
             let mut item = item.clone();
             if count > 1 {
-                item.offset = Some(crate::gsl::Offset::Secs(time));
+                item.offset = Some(Offset::Secs(time));
             }
             items.push(item);
         }

@@ -9,7 +9,7 @@ use raconteur_eml::{ClauseKind, Diagnostic, Span};
 use super::anchors::Anchors;
 use super::{hands, phase};
 use crate::gestura::{Form, Hands, Layer, Noted, Phase, PhaseKind, Transcription, Vocabulary};
-use crate::gsl::{Item, Position, Sequence, Value};
+use crate::gsl::{Feature, Item, Position, Sequence, Value};
 use crate::script::Builder;
 
 /// Place in front of the body of a stroke without a position, GSL: the centre of gesture space on
@@ -66,7 +66,10 @@ pub(super) fn plan<'t>(
     let mut all: Vec<Planned<'t>> = Vec::new();
     for layer in &transcription.layers {
         for (phases, hands, span) in phrases(layer) {
-            let hands = hands.or_else(|| hands::named(phases)).unwrap_or_else(|| {
+            let hands = hands
+                .or_else(|| hands::named(phases))
+                .or_else(|| hands::of_layer(&layer.name));
+            let hands = hands.unwrap_or_else(|| {
                 let message = "the gesture names no hands; it is performed by the right hand";
                 problems.push(Diagnostic::warning("gestura::no-hands", span, message));
                 Hands::Right
@@ -77,6 +80,7 @@ pub(super) fn plan<'t>(
                 span,
             };
             fill(&mut planned, problems);
+            complete(&mut planned.phases);
             all.push(planned);
         }
     }
@@ -138,6 +142,45 @@ fn begins(kind: PhaseKind, before: &[Phase]) -> bool {
     is_back || (has_stroke && prepares)
 }
 
+/// Completes preparations: what they do not tell is the beginning of the next phase, where they lead.
+fn complete(phases: &mut [Cow<'_, Phase>]) {
+    for index in 1..phases.len() {
+        let (before, after) = phases.split_at_mut(index);
+        let preparation = &mut before[index - 1];
+        if preparation.kind != PhaseKind::Preparation {
+            continue;
+        }
+        let next = &after[0].form;
+        let motion = phase::motion(next);
+        let form = &preparation.form;
+        let filled = Form {
+            motion: lead_to(phase::motion(form).as_ref(), motion.as_ref()),
+            hand_shapes: lead_to(
+                phase::formal(form.hand_shapes.as_ref()),
+                phase::formal(next.hand_shapes.as_ref()),
+            ),
+            palm_orientations: lead_to(
+                phase::formal(form.palm_orientations.as_ref()),
+                phase::formal(next.palm_orientations.as_ref()),
+            ),
+            ..form.clone()
+        };
+        preparation.to_mut().form = filled;
+    }
+}
+
+/// Returns the feature of a preparation: its own, which ends by half of it if the next phase begins
+/// with another, else the beginning of the next phase.
+fn lead_to<F: Feature>(own: Option<&Value<F>>, next: Option<&Value<F>>) -> Option<Noted<F>> {
+    let first = next.and_then(hands::first);
+    let value = match (own, first) {
+        (None, first) => first?,
+        (Some(own), Some(first)) => hands::before(own, &first),
+        (Some(own), None) => own.clone(),
+    };
+    Some(Noted::formal(value))
+}
+
 /// Fills in a missing form of the stroke, with a note each.
 fn fill(planned: &mut Planned<'_>, problems: &mut Vec<Diagnostic>) {
     let span = planned.span;
@@ -160,6 +203,13 @@ fn fill(planned: &mut Planned<'_>, problems: &mut Vec<Diagnostic>) {
     }
     let mut position: Option<Value<Position>> = None;
     for phase in &mut planned.phases {
+        if phase::is_late(phase) {
+            let message = format!(
+                "the form of the {} goes on after its end, where it is performed",
+                phase.kind.word()
+            );
+            note("gestura::late", message);
+        }
         let motion = phase::motion(&phase.form);
         let is_stroke = phase.kind == PhaseKind::Stroke;
         if is_stroke && motion.is_none() {
@@ -241,7 +291,7 @@ pub(super) fn write(builder: &mut Builder, plan: &[Planned<'_>], anchors: &Ancho
         let anchor_secs = planned.stroke_secs();
         let handedness = hands::handedness(planned.hands);
         for phase in &planned.phases {
-            let key = phase::gesture_key(phase, phase.interval.length_secs(), handedness);
+            let key = phase::gesture_key(phase, handedness);
             let time = anchors.time(phase.interval.start_secs, anchor_secs);
             builder.push(time, ClauseKind::GestureKey(key));
         }

@@ -1,30 +1,39 @@
 //! `raconteur import`.
 
-use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
 use clap::{Args, ValueEnum};
-use raconteur_annotate::Anchoring;
+use raconteur_annotate::elan::Mapping;
+use raconteur_annotate::{Anchoring, anvil};
+use raconteur_eml::{Diagnostic, decode};
+use raconteur_voice::files::{disk, input};
 
 use crate::{Outcome, report, terminal};
 
+/// Maximum length of a file, bytes.
+const MAX_BYTES: u64 = 16 << 20;
+
 /// Convert a transcription of gestures into a story.
 ///
-/// Reads annotation files of ANVIL with the tracks of GestuRA. Problems, and how missing parts were
-/// filled in, are reported with their place in the file.
+/// Reads annotation files of ANVIL with the tracks of GestuRA, and of ELAN. Problems, and how
+/// missing parts were filled in, are reported with their place in the file.
 #[derive(Args)]
 pub(crate) struct Import {
     /// Annotation file.
     file: PathBuf,
-    /// The script to write. Without this, it goes to standard output.
+    /// The script to write, or, with the ending .anvil, the annotation. Without this, the script
+    /// goes to standard output.
     #[arg(short, long)]
     output: Option<PathBuf>,
     /// What the times of gestures refer to. Without this, words if the output has a speech bundle
     /// next to it, else seconds.
     #[arg(long, value_enum)]
     anchor: Option<Anchor>,
+    /// File that maps the tiers of ELAN to the tracks of GestuRA. Without this, they are guessed.
+    #[arg(long, value_name = "FILE")]
+    map: Option<PathBuf>,
 }
 
 /// What the times of gestures refer to.
@@ -38,19 +47,33 @@ enum Anchor {
 
 impl Import {
     pub(crate) fn run(&self) -> Result<Outcome> {
-        let told = |path: &Path| path.display().to_string();
-        let bytes =
-            fs::read(&self.file).with_context(|| format!("reading {}", told(&self.file)))?;
-        let imported = raconteur_annotate::import(&bytes, self.anchoring());
-        report::print(&told(&self.file), &imported.text, &imported.diagnostics)?;
-        let eml = raconteur_eml::write(&imported.document);
+        let bytes = input::bytes(&self.file, MAX_BYTES).context("the annotation")?;
+        let (mapping, unread) = mapping(self.map.as_deref())?;
+        let mapping = mapping.as_ref();
+        let is_annotation = |path: &PathBuf| path.extension().is_some_and(|e| e == "anvil");
+        let (text, diagnostics, written) = if self.output.as_ref().is_some_and(is_annotation) {
+            let read = raconteur_annotate::read_transcription(&bytes, mapping);
+            let annotation = anvil::from_transcription(&read.transcription);
+            (read.text, read.diagnostics, anvil::write(&annotation))
+        } else {
+            let imported = raconteur_annotate::import(&bytes, mapping, self.anchoring());
+            let eml = raconteur_eml::write(&imported.document);
+            (imported.text, imported.diagnostics, eml)
+        };
+        report::print(&self.file.display().to_string(), &text, &diagnostics)?;
         match &self.output {
-            Some(path) => {
-                fs::write(path, eml).with_context(|| format!("writing {}", told(path)))?;
-            }
-            None => terminal::out().write_all(eml.as_bytes())?,
+            Some(path) => disk::replace(path, written.as_bytes())?,
+            None => terminal::out().write_all(written.as_bytes())?,
         }
-        Ok(report::outcome(&imported.diagnostics))
+        let worst = if unread {
+            Outcome::Errors
+        } else {
+            Outcome::Fine
+        };
+        Ok(match report::outcome(&diagnostics) {
+            Outcome::Fine => worst,
+            errors @ Outcome::Errors => errors,
+        })
     }
 
     fn anchoring(&self) -> Anchoring {
@@ -65,4 +88,16 @@ impl Import {
             None => Anchoring::Seconds,
         }
     }
+}
+
+/// Reads a mapping file, and reports its problems. The flag is true if it has any.
+pub(crate) fn mapping(path: Option<&Path>) -> Result<(Option<Mapping>, bool)> {
+    let Some(path) = path else {
+        return Ok((None, false));
+    };
+    let decoded = decode(input::bytes(path, MAX_BYTES).context("the mapping")?);
+    let mut problems: Vec<Diagnostic> = decoded.problem.into_iter().collect();
+    let mapping = Mapping::read(&decoded.text, &mut problems);
+    report::print(&path.display().to_string(), &decoded.text, &problems)?;
+    Ok((Some(mapping), !problems.is_empty()))
 }

@@ -17,4 +17,5 @@ pub(crate) mod serve;
 pub(crate) mod story_check;
 pub(crate) mod sweep;
 pub(crate) mod timeline;
+pub(crate) mod transcription;
 pub(crate) mod voice;

@@ -1,0 +1,6 @@
+//! Tests of the formats.
+
+mod anvil;
+mod elan;
+mod gsl;
+mod random;
