@@ -25,7 +25,7 @@ impl Format {
 
     /// Returns the format of a file by its root element.
     #[must_use]
-    pub fn of(root: &Element) -> Option<Self> {
+    pub fn from_root(root: &Element) -> Option<Self> {
         let mut roots = Self::ROOTS.iter();
         let found = roots.find(|(_, name)| root.name.eq_ignore_ascii_case(name))?;
         Some(found.0)
@@ -64,7 +64,7 @@ fn transcription(
     mapping: Option<&Mapping>,
     problems: &mut Vec<Diagnostic>,
 ) -> Option<Transcription> {
-    match Format::of(root) {
+    match Format::from_root(root) {
         Some(Format::Anvil) => {
             let annotation = anvil::read(root, problems);
             Some(anvil::to_transcription(&annotation, problems))

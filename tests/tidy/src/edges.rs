@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use toml::Table;
 
 /// Crate, and the workspace crates it may use. ARCHITECTURE.md explains the table.
-const ALLOWED: [(&str, &[&str]); 18] = [
+const ALLOWED: [(&str, &[&str]); 19] = [
     ("base", &[]),
     ("eml", &["base"]),
     ("speech", &["base"]),
@@ -31,11 +31,12 @@ const ALLOWED: [(&str, &[&str]); 18] = [
     ("say", &["base", "speech", "eml", "voice"]),
     ("sculpt", &["base", "body", "tissue", "faces"]),
     ("avatar", &["base", "body", "reshape", "tissue"]),
+    ("annotate", &["base", "eml"]),
     (
         "cli",
         &[
             "base", "eml", "speech", "tissue", "body", "reshape", "faces", "actor", "stage",
-            "render", "player", "voice", "sculpt", "avatar",
+            "render", "player", "voice", "sculpt", "avatar", "annotate",
         ],
     ),
 ];

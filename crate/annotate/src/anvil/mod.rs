@@ -110,7 +110,7 @@ impl TrackKind {
 pub struct TrackElement {
     /// Number by which other tracks refer to it.
     pub index: usize,
-    /// When it is, directly or by reference.
+    /// Time span, directly or by reference.
     pub extent: Extent,
     /// Attributes in the order of the file.
     pub attributes: Vec<(String, Text)>,

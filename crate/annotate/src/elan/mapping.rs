@@ -1,4 +1,4 @@
-//! Which tier holds what: from a mapping file, or from a guess.
+//! Mapping of tiers to tracks of GestuRA, from a file or a guess.
 
 use std::collections::BTreeMap;
 
@@ -27,7 +27,6 @@ const ALIASES: &[(&str, &str)] = &[
     ("partial", "partial-retraction"),
     ("iconics", "iconic"),
     ("representational", "iconic"),
-    ("metaphorics", "metaphoric"),
     ("metaphor", "metaphoric"),
     ("deictics", "deictic"),
     ("pointing", "deictic"),

@@ -41,7 +41,7 @@ pub struct Tier {
 /// Annotation of a tier.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Annotation {
-    /// When it is.
+    /// Time span.
     pub interval: Interval,
     /// Value.
     pub value: Text,

@@ -73,7 +73,9 @@ fn movements(phase: &Phase) -> u32 {
 fn changes<F: Feature>(noted: Option<&Noted<F>>) -> bool {
     let value = noted.and_then(|noted| noted.value.as_ref());
     value.is_some_and(|value| {
-        let sequences = Side::BOTH.into_iter().filter_map(|side| value.of(side));
+        let sequences = Side::BOTH
+            .into_iter()
+            .filter_map(|side| value.for_hand(side));
         sequences
             .into_iter()
             .any(|s| s.items.iter().any(|i| i.feature != s.items[0].feature))
@@ -94,6 +96,6 @@ fn space(phase: &Phase) -> Option<bool> {
 }
 
 fn last(value: &Value<Position>) -> Option<Position> {
-    let sequence = value.of(Side::Right).or(value.of(Side::Left))?;
+    let sequence = value.for_hand(Side::Right).or(value.for_hand(Side::Left))?;
     sequence.items.last().map(|item| item.feature)
 }

@@ -92,7 +92,7 @@ fn hands<F: Feature>(noted: Option<&Noted<F>>) -> [bool; 2] {
     let value = noted.and_then(|noted| noted.value.as_ref());
     let mut moved = [false; 2];
     for side in Side::BOTH {
-        moved[side.index()] = value.is_some_and(|value| value.of(side).is_some());
+        moved[side.index()] = value.is_some_and(|value| value.for_hand(side).is_some());
     }
     moved
 }

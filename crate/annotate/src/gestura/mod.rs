@@ -34,7 +34,7 @@ use word::vocabulary;
 pub struct Transcription {
     /// Recordings, the leading one first.
     pub media: Vec<String>,
-    /// Who transcribed it.
+    /// Person who transcribed it.
     pub coder: Option<String>,
     /// Words in the order of time (pass 1).
     pub words: Vec<Word>,
@@ -95,7 +95,7 @@ impl Interval {
 pub struct Word {
     /// The word as transcribed.
     pub token: String,
-    /// When it is spoken.
+    /// Time span in which it is spoken.
     pub interval: Interval,
     /// Place in the file.
     pub span: Span,
@@ -145,7 +145,7 @@ pub struct Gesture {
     /// Keyframe animation that reproduces it, for gestures other than gesticulation (addition to
     /// GestuRA; GEVH 3.5.5 reproduces 5 % of the gestures in this manner).
     pub animation: Option<String>,
-    /// When it is performed.
+    /// Time span in which it is performed.
     pub interval: Interval,
     /// Place in the file.
     pub span: Span,
@@ -181,7 +181,7 @@ pub struct Layer {
 pub struct Phase {
     /// Kind of phase.
     pub kind: PhaseKind,
-    /// When it is performed.
+    /// Time span in which it is performed.
     pub interval: Interval,
     /// Form.
     pub form: Form,
@@ -230,9 +230,9 @@ pub struct Phrase {
     pub speaker_frame_position: Option<String>,
     /// Confidence in dimension and meaning, 1 marginally confident to 4 totally certain.
     pub confidence: Option<u8>,
-    /// What it adds to the speech.
+    /// Addition to the meaning of the speech.
     pub contribution: Option<String>,
-    /// What it means, by dimension.
+    /// Meaning by dimension.
     pub meaning: Meaning,
     /// Place in the file.
     pub span: Span,
@@ -279,9 +279,9 @@ vocabulary! {
 /// Meaning of a gesticulation (C.3.7), as noted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Meaning {
-    /// What the form of an iconic gesture stands for.
+    /// Entity that the form of an iconic gesture shows.
     pub iconic_body: Option<String>,
-    /// What the motion of an iconic gesture stands for.
+    /// Motion that the motion of an iconic gesture shows.
     pub iconic_motion: Option<String>,
     /// Voice of an iconic gesture.
     pub iconic_viewpoint: Option<Viewpoint>,
@@ -289,11 +289,11 @@ pub struct Meaning {
     pub metaphoric_base: Option<String>,
     /// Abstract concept of a metaphoric gesture.
     pub metaphoric_referent: Option<String>,
-    /// What the motion of a metaphoric gesture stands for.
+    /// Motion that the motion of a metaphoric gesture shows.
     pub metaphoric_motion: Option<String>,
     /// Place around the speaker at which a deictic gesture points.
     pub deictic_geographic_target: Option<String>,
-    /// What the place stands for.
+    /// Entity or concept of the place.
     pub deictic_narration_target: Option<String>,
 }
 

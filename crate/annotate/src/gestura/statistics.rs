@@ -186,7 +186,9 @@ fn durations(transcription: &Transcription) -> Vec<Durations> {
 fn shapes<'a>(noted: impl Iterator<Item = &'a Noted<Shape>>) -> Vec<(u8, usize)> {
     let mut counts: BTreeMap<u8, usize> = BTreeMap::new();
     for value in noted.filter_map(|noted| noted.value.as_ref()) {
-        let sequences = Side::BOTH.into_iter().filter_map(|side| value.of(side));
+        let sequences = Side::BOTH
+            .into_iter()
+            .filter_map(|side| value.for_hand(side));
         let mut ids: Vec<u8> = sequences
             .flat_map(|s| s.items.iter().map(|item| item.feature.0))
             .collect();

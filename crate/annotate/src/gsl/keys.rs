@@ -100,7 +100,7 @@ pub fn tracks<F: InEml>(value: &Value<F>, duration_secs: f64, span: Span) -> Vec
         Value::Common(sequence) => vec![track(None, sequence)],
         Value::PerHand { .. } => Side::BOTH
             .into_iter()
-            .filter_map(|side| Some(track(Some(side), value.of(side)?)))
+            .filter_map(|side| Some(track(Some(side), value.for_hand(side)?)))
             .collect(),
     }
 }

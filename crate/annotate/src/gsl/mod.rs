@@ -42,7 +42,7 @@ pub enum Value<F> {
 impl<F> Value<F> {
     /// Returns the sequence of a hand; a common one is that of both.
     #[must_use]
-    pub fn of(&self, side: Side) -> Option<&Sequence<F>> {
+    pub fn for_hand(&self, side: Side) -> Option<&Sequence<F>> {
         match self {
             Self::Common(sequence) => Some(sequence),
             Self::PerHand { right, left } => match side {

@@ -92,10 +92,10 @@ pub(super) fn path(
 ) -> Option<Value<Position>> {
     let ends = |side: Side| {
         let first = source
-            .and_then(|value| value.of(side))
+            .and_then(|value| value.for_hand(side))
             .and_then(|s| s.items.first());
         let last = target
-            .and_then(|value| value.of(side))
+            .and_then(|value| value.for_hand(side))
             .and_then(|s| s.items.last());
         let timed = |item: Option<&Item<Position>>, percent: f64| {
             item.map(|item| Item {
@@ -151,10 +151,14 @@ pub(super) fn before<F: Feature>(value: &Value<F>, next: &Value<F>) -> Value<F> 
         _ => sequence.clone(),
     };
     match value {
-        Value::Common(sequence) => Value::Common(led(sequence, next.of(Side::Right))),
+        Value::Common(sequence) => Value::Common(led(sequence, next.for_hand(Side::Right))),
         Value::PerHand { right, left } => Value::PerHand {
-            right: right.as_ref().map(|right| led(right, next.of(Side::Right))),
-            left: left.as_ref().map(|left| led(left, next.of(Side::Left))),
+            right: right
+                .as_ref()
+                .map(|right| led(right, next.for_hand(Side::Right))),
+            left: left
+                .as_ref()
+                .map(|left| led(left, next.for_hand(Side::Left))),
         },
     }
 }

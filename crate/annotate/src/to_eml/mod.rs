@@ -18,7 +18,7 @@ use crate::gestura::{Transcription, Vocabulary};
 use crate::script::Builder;
 use anchors::Anchors;
 
-/// What the times of gestures refer to.
+/// Reference of the times of gestures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Anchoring {
     /// Marks at the words on which the strokes fall, so that gestures stay with their words in

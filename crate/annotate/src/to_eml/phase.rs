@@ -37,7 +37,9 @@ fn keyed<F: InEml>(value: Option<Value<F>>, phase: &Phase) -> Box<[Track<F::Key>
 /// Returns true if an item of the form comes after the end of the phase.
 pub(super) fn is_late(phase: &Phase) -> bool {
     fn late<F>(value: Option<&Value<F>>, length_secs: f64) -> bool {
-        let sequences = Side::BOTH.into_iter().filter_map(|side| value?.of(side));
+        let sequences = Side::BOTH
+            .into_iter()
+            .filter_map(|side| value?.for_hand(side));
         let mut times = sequences.flat_map(|sequence| sequence.offsets_secs(length_secs));
         times.any(|time| time > length_secs + LATE_SECS)
     }

@@ -16,7 +16,7 @@ use crate::script::Builder;
 /// the right side. Designed.
 const NEUTRAL: Position = Position([-7.0, 12.0, 12.0]);
 /// Shortest rest of a phase that is cut, seconds.
-const LEAST_SECS: f64 = 0.02;
+const MIN_SECS: f64 = 0.02;
 
 /// Phrase to perform.
 pub(super) struct Planned<'t> {
@@ -49,7 +49,7 @@ impl Planned<'_> {
     /// Ends the phrase by a time: later phases are left out, the one at that time is cut.
     fn cut(&mut self, end_secs: f64) {
         self.phases
-            .retain(|phase| phase.interval.start_secs < end_secs - LEAST_SECS);
+            .retain(|phase| phase.interval.start_secs < end_secs - MIN_SECS);
         if let Some(last) = self.phases.last_mut()
             && last.interval.end_secs > end_secs
         {
@@ -264,11 +264,11 @@ fn separate(all: &mut [Planned<'_>], problems: &mut Vec<Diagnostic>) {
         let Some(start_secs) = overlapping.map(Planned::start_secs) else {
             continue;
         };
-        if start_secs < end_secs - LEAST_SECS {
+        if start_secs < end_secs - MIN_SECS {
             let kinds: Vec<&str> = planned
                 .phases
                 .iter()
-                .filter(|phase| phase.interval.end_secs > start_secs + LEAST_SECS)
+                .filter(|phase| phase.interval.end_secs > start_secs + MIN_SECS)
                 .map(|phase| phase.kind.word())
                 .collect();
             let message = format!(

@@ -190,7 +190,10 @@ where
         text
     );
     for side in Side::BOTH {
-        prop_assert_eq!(value.of(side).is_some(), again.of(side).is_some());
+        prop_assert_eq!(
+            value.for_hand(side).is_some(),
+            again.for_hand(side).is_some()
+        );
     }
     Ok(())
 }

@@ -4,3 +4,4 @@ mod anvil;
 mod elan;
 mod gsl;
 mod random;
+mod replay;

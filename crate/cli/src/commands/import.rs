@@ -27,7 +27,7 @@ pub(crate) struct Import {
     /// goes to standard output.
     #[arg(short, long)]
     output: Option<PathBuf>,
-    /// What the times of gestures refer to. Without this, words if the output has a speech bundle
+    /// Reference of the times of gestures. Without this, words if the output has a speech bundle
     /// next to it, else seconds.
     #[arg(long, value_enum)]
     anchor: Option<Anchor>,
@@ -36,7 +36,7 @@ pub(crate) struct Import {
     map: Option<PathBuf>,
 }
 
-/// What the times of gestures refer to.
+/// Reference of the times of gestures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Anchor {
     /// Marks at the words on which the strokes fall.
