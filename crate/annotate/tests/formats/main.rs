@@ -5,3 +5,4 @@ mod elan;
 mod gsl;
 mod random;
 mod replay;
+mod telling;
