@@ -17,4 +17,4 @@ mod to_eml;
 pub mod xml;
 
 pub use import::{Format, Imported, Read, import, read_transcription};
-pub use to_eml::{Anchoring, to_eml};
+pub use to_eml::{Anchoring, fit_pauses, to_eml};

@@ -9,6 +9,7 @@ mod anchors;
 mod animations;
 mod elements;
 mod hands;
+mod pauses;
 mod phase;
 mod phrases;
 mod prosody;
@@ -19,6 +20,7 @@ use raconteur_eml::{ClauseKind, Diagnostic, Document};
 use crate::gestura::{Transcription, Vocabulary};
 use crate::script::Builder;
 use anchors::Anchors;
+pub use pauses::fit_pauses;
 
 /// Reference of the times of gestures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,7 +44,7 @@ pub fn to_eml(transcription: &Transcription, anchoring: Anchoring) -> (Document,
     for phrase in &plan {
         anchors.choose(phrase.stroke_secs());
     }
-    for gesture in &transcription.gestures {
+    for gesture in animations::performed(transcription) {
         anchors.choose(gesture.interval.start_secs);
     }
     for level in &transcription.levels {
