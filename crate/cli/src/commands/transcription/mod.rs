@@ -1,17 +1,19 @@
 //! `raconteur transcription`.
 
+mod plots;
+
 use std::fmt::Write as _;
 use std::io::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
 use clap::{Args, Subcommand};
 use raconteur_annotate::gestura::{Statistics, Tally};
-use raconteur_annotate::{anvil, read_transcription};
+use raconteur_annotate::{Read, anvil, read_transcription};
 use raconteur_voice::files::{disk, input};
 use serde_json::{Value, json};
 
-use super::import::mapping;
+use crate::commands::import::mapping;
 use crate::{Format, Outcome, report, terminal};
 
 /// Maximum length of a file, bytes.
@@ -31,7 +33,13 @@ enum Action {
     /// Report what contradicts the rules of GestuRA.
     Check(Files),
     /// Print the statistics of a transcription.
-    Statistics(Files),
+    Statistics {
+        #[command(flatten)]
+        files: Files,
+        /// Picture to draw, SVG.
+        #[arg(long, value_name = "FILE")]
+        plots: Option<PathBuf>,
+    },
     /// Write the specification of GestuRA for ANVIL.
     Specification {
         /// The file to write.
@@ -55,8 +63,8 @@ struct Files {
 impl Transcription {
     pub(crate) fn run(&self) -> Result<Outcome> {
         match &self.what {
-            Action::Check(files) => files.run(false),
-            Action::Statistics(files) => files.run(true),
+            Action::Check(files) => files.check(),
+            Action::Statistics { files, plots } => files.statistics(plots.as_deref()),
             Action::Specification { output } => {
                 disk::replace(output, anvil::GESTURA.as_bytes())?;
                 Ok(Outcome::Fine)
@@ -66,26 +74,40 @@ impl Transcription {
 }
 
 impl Files {
-    fn run(&self, counts: bool) -> Result<Outcome> {
+    fn read(&self) -> Result<Read> {
         let bytes = input::bytes(&self.file, MAX_BYTES).context("the annotation")?;
         let (mapping, _) = mapping(self.map.as_deref())?;
-        let read = read_transcription(&bytes, mapping.as_ref());
-        let name = self.file.display().to_string();
-        let mut out = terminal::out();
-        match (self.format, counts) {
-            (Format::Text, false) => report::print(&name, &read.text, &read.diagnostics)?,
-            (Format::Json, false) => {
+        Ok(read_transcription(&bytes, mapping.as_ref()))
+    }
+
+    fn name(&self) -> String {
+        self.file.display().to_string()
+    }
+
+    fn check(&self) -> Result<Outcome> {
+        let read = self.read()?;
+        match self.format {
+            Format::Text => report::print(&self.name(), &read.text, &read.diagnostics)?,
+            Format::Json => {
+                let name = self.name();
                 let entries = report::entries(&name, &read.text, &read.diagnostics);
-                writeln!(out, "{}", terminal::json_lines(&entries)?)?;
+                writeln!(terminal::out(), "{}", terminal::json_lines(&entries)?)?;
             }
-            (format, true) => {
-                report::print(&name, &read.text, &read.diagnostics)?;
-                let statistics = Statistics::new(&read.transcription);
-                match format {
-                    Format::Text => write!(out, "{}", table(&statistics))?,
-                    Format::Json => writeln!(out, "{}", terminal::json(&values(&statistics))?)?,
-                }
-            }
+        }
+        Ok(report::outcome(&read.diagnostics))
+    }
+
+    fn statistics(&self, picture: Option<&Path>) -> Result<Outcome> {
+        let read = self.read()?;
+        report::print(&self.name(), &read.text, &read.diagnostics)?;
+        let statistics = Statistics::new(&read.transcription);
+        let mut out = terminal::out();
+        match self.format {
+            Format::Text => write!(out, "{}", table(&statistics))?,
+            Format::Json => writeln!(out, "{}", terminal::json(&values(&statistics))?)?,
+        }
+        if let Some(path) = picture {
+            disk::replace(path, plots::plots(&statistics)?.as_bytes())?;
         }
         Ok(report::outcome(&read.diagnostics))
     }
@@ -194,6 +216,7 @@ fn values(statistics: &Statistics) -> Value {
         "confidence": statistics.confidence,
         "beatFilter": statistics.beat_scores,
         "strokeLead": statistics.stroke_lead_secs,
+        "perHalfMinute": statistics.per_half_minute,
         "handShapes": shapes,
         "phases": phases,
     })
