@@ -183,9 +183,9 @@ fn other_times_have_usual_lengths() {
 #[test]
 fn references_to_behaviours_are_replaced_by_their_own_times() {
     let document = clean(
-        "<gesture id='b' lexeme='BEAT' start='a:relax + 0.5'/>\
+        "<gesture id='b' lexeme='BEAT' mode='LEFT_HAND' start='a:relax + 0.5'/>\
          <gesture id='a' lexeme='STOP' strokeStart='1'/>\
-         <gesture id='c' lexeme='ME' mode='LEFT_HAND' stroke='b:start'/>",
+         <gesture id='c' lexeme='ME' start='b:end'/>",
     );
     let found = phases(&document);
     let starts: Vec<f64> = found
@@ -193,8 +193,8 @@ fn references_to_behaviours_are_replaced_by_their_own_times() {
         .filter(|(phase, ..)| *phase == Phase::Preparation)
         .map(|(_, start, _)| *start)
         .collect();
-    // a starts at 0.5 and relaxes at 1.75; c strokes for 0.55 around 2.25.
-    assert_eq!(starts, [0.5, 1.475, 2.25], "sums over other gestures");
+    // a starts at 0.5 and relaxes at 1.75; b takes 1.95.
+    assert_eq!(starts, [0.5, 2.25, 4.2], "sums over other gestures");
 }
 
 #[test]
