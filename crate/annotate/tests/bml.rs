@@ -181,6 +181,31 @@ fn other_times_have_usual_lengths() {
 }
 
 #[test]
+fn phases_on_different_words_stay_in_order() {
+    let speech =
+        "<speech id='s'><text>One <sync id='t'/>two three <sync id='u'/>four.</text></speech>";
+    for (times, anchor, offset_secs) in [
+        ("start='s:t' end='s:u + 3'", "v_s_t", 0.5),
+        ("start='s:t' strokeStart='s:u'", "v_s_u", 0.0),
+        ("strokeStart='s:t' end='s:u'", "v_s_t", 0.0),
+    ] {
+        let document = clean(&format!("{speech}<gesture lexeme='STOP' {times}/>"));
+        let found = phases(&document);
+        let stroke = found.iter().find(|(phase, ..)| *phase == Phase::Stroke);
+        let off = stroke.expect("a stroke").1 - mark(&document, anchor) - offset_secs;
+        assert!(off.abs() < 2e-3, "{times}: {found:?}");
+        let order: Vec<Phase> = found.iter().map(|(phase, ..)| *phase).collect();
+        let wanted = [
+            Phase::Preparation,
+            Phase::Stroke,
+            Phase::PostStroke,
+            Phase::Retraction,
+        ];
+        assert_eq!(order, wanted, "{times}");
+    }
+}
+
+#[test]
 fn references_to_behaviours_are_replaced_by_their_own_times() {
     let document = clean(
         "<gesture id='b' lexeme='BEAT' mode='LEFT_HAND' start='a:relax + 0.5'/>\

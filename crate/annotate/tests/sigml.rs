@@ -211,6 +211,16 @@ fn locations_are_where_they_are_named() {
     assert!(chin[1] > stomach[1] + 10.0, "{chin:?} is above {stomach:?}");
     // The fingertips are at the chin, so the wrist is a hand below.
     assert!((chin[1] - 31.0 + 7.2).abs() < 0.1, "{chin:?}");
+    let pointing = clean(sign(
+        "",
+        "<handconfig handshape='finger2' extfidir='i' palmor='d'/>\
+         <location_bodyarm location='chest' contact='touch'/>",
+    ));
+    // The surface of the chest is at −5.5.
+    assert!(
+        (path(&pointing)[0][0][2] + 5.5 + 1.0 + 7.2).abs() < 0.1,
+        "a finger that points at the chest touches it"
+    );
     let left = at("<location_bodyarm location='shoulders' side='left_at'/>");
     let right = at("<location_bodyarm location='shoulders' side='right_beside'/>");
     assert!(left[0] > 5.0 && right[0] < -8.0, "{left:?}, {right:?}");
@@ -401,6 +411,10 @@ fn losses_are_told_where_they_stand() {
         assert_eq!(found, place, "{manual}");
         check(&imported.document);
     }
+}
+
+#[test]
+fn unknown_tokens_and_missing_parts_are_told() {
     let imported = tokens("hamflathand hamnoses hamextfingeru");
     assert_eq!(codes(&imported), ["sigml::unknown-token"], "a token");
     let problem = &imported.diagnostics[0];

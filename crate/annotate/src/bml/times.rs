@@ -214,12 +214,9 @@ impl Solver<'_, '_, '_> {
             (Some(before), Some(behind)) => self
                 .between(index, point, before, behind)
                 .unwrap_or_else(|| {
-                    // The stroke is what belongs to a word.
-                    after_of(if point < Point::Stroke {
-                        behind
-                    } else {
-                        before
-                    })
+                    // On different words, the stroke decides, then the start.
+                    let is_stroke = behind.0 <= Point::StrokeEnd;
+                    after_of(if is_stroke { behind } else { before })
                 }),
             (Some(only), None) | (None, Some(only)) => after_of(only),
             (None, None) => block_start.plus(course.secs(point)),

@@ -23,8 +23,19 @@ pub(super) struct HandPose {
     pub(super) wrist_deg: DVec3,
     /// Position of the hand, speaker coordinates, skeleton units.
     pub(super) position: DVec3,
-    /// True if the fingertips are at the position, else the middle of the hand.
-    pub(super) is_tip: bool,
+    /// Part of the hand that is at the position.
+    pub(super) contact: Contact,
+}
+
+/// Part of a hand that is at its position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Contact {
+    /// The middle of the hand.
+    Middle,
+    /// The middle of the hand, or the fingertips if they point at the body.
+    Either,
+    /// The fingertips.
+    Tips,
 }
 
 impl HandPose {
@@ -39,7 +50,7 @@ impl HandPose {
             mirror: DVec3::new(side, 1.0, 1.0),
             wrist_deg: DVec3::ZERO,
             position: DVec3::new(-7.0 * side, 14.0, -15.0),
-            is_tip: false,
+            contact: Contact::Middle,
         }
     }
 }
@@ -51,7 +62,7 @@ pub(super) struct Change {
     fingers: Option<DVec3>,
     palm: Option<DVec3>,
     mirror: Option<DVec3>,
-    place: Option<(DVec3, bool)>,
+    place: Option<(DVec3, Contact)>,
 }
 
 impl Change {
@@ -65,8 +76,8 @@ impl Change {
         }
         pose.fingers = self.fingers.unwrap_or(pose.fingers);
         pose.palm = self.palm.unwrap_or(pose.palm);
-        if let Some((position, is_tip)) = self.place {
-            (pose.position, pose.is_tip) = (position, is_tip);
+        if let Some((position, contact)) = self.place {
+            (pose.position, pose.contact) = (position, contact);
         }
     }
 
@@ -292,9 +303,9 @@ impl PostureReader<'_> {
         Some((found.key, shapes::reach(base)))
     }
 
-    /// Reads a location on the body, for the dominant hand: its position, and whether it is that of
-    /// the fingertips.
-    fn location(&mut self, element: &Element) -> Option<(DVec3, bool)> {
+    /// Reads a location on the body, for the dominant hand: its position, and the part of the hand
+    /// that is there.
+    fn location(&mut self, element: &Element) -> Option<(DVec3, Contact)> {
         let name = element.value("location").unwrap_or("neutralspace");
         let Some(place) = vocabulary::place(name) else {
             let message = format!("the location {} is unknown", quoted(name));
@@ -344,15 +355,19 @@ impl PostureReader<'_> {
         } else {
             distance
         };
-        let is_tip =
-            touches && (place.position.y > HEAD_HEIGHT || element.child("location_hand").is_some());
+        let is_at_tips = place.position.y > HEAD_HEIGHT || element.child("location_hand").is_some();
+        let contact = match (touches, is_at_tips) {
+            (true, true) => Contact::Tips,
+            (true, false) => Contact::Either,
+            (false, _) => Contact::Middle,
+        };
         let position = place.position + DVec3::X * side + outward * distance;
-        Some((position, is_tip))
+        Some((position, contact))
     }
 
     /// Gives a place of the dominant hand to the hands that move, mirrored for the other one.
-    fn place_both(&self, place: Option<(DVec3, bool)>, changes: &mut Changes) {
-        let Some((position, is_tip)) = place else {
+    fn place_both(&self, place: Option<(DVec3, Contact)>, changes: &mut Changes) {
+        let Some((position, contact)) = place else {
             return;
         };
         let both = self.hands.moves == [true, true];
@@ -367,7 +382,7 @@ impl PostureReader<'_> {
             if hand == 1 {
                 own.x = -own.x;
             }
-            known.place = Some((own, is_tip));
+            known.place = Some((own, contact));
         }
     }
 
@@ -381,12 +396,12 @@ impl PostureReader<'_> {
             message.to_owned(),
         );
         let other = changes[1].place.map_or(CENTRE, |(position, _)| position);
-        changes[1].place = Some((other, false));
+        changes[1].place = Some((other, Contact::Middle));
         let gap = match element.value("contact") {
             Some("touch") => HAND_THICKNESS,
             _ => HAND_THICKNESS + CLOSE,
         };
-        changes[0].place = Some((other + DVec3::new(-gap, 1.0, 0.0), false));
+        changes[0].place = Some((other + DVec3::new(-gap, 1.0, 0.0), Contact::Middle));
     }
 
     /// Places both hands at each other.
@@ -395,14 +410,14 @@ impl PostureReader<'_> {
         self.warn("sigml::approximate", element, "contact", message.to_owned());
         let body = element.child("location_bodyarm");
         let centre = body.and_then(|body| self.location(body));
-        let (centre, _) = centre.unwrap_or((CENTRE, false));
+        let (centre, _) = centre.unwrap_or((CENTRE, Contact::Middle));
         let gap = match element.value("contact") {
             Some("touch" | "interlock") => HAND_THICKNESS,
             _ => HAND_THICKNESS + CLOSE,
         };
         let half = DVec3::X * (gap / 2.0);
-        changes[0].place = Some((centre - half, false));
-        changes[1].place = Some((centre + half, false));
+        changes[0].place = Some((centre - half, Contact::Middle));
+        changes[1].place = Some((centre + half, Contact::Middle));
     }
 }
 

@@ -7,7 +7,7 @@ use raconteur_eml::{
 };
 
 use super::motion::{MAX_KEYS, Motion, MotionReader, handedness, is_motion, shape};
-use super::posture::{Changes, HandPose, Hands, PostureReader, is_posture};
+use super::posture::{Changes, Contact, HandPose, Hands, PostureReader, is_posture};
 use super::vocabulary::palm;
 use crate::orientation::palm_key;
 use crate::script::{Builder, permitted, rounded, seconds};
@@ -21,6 +21,8 @@ const HOLD_SECS: f64 = 0.25;
 /// Distance from the wrist to the middle of the hand, skeleton units (GEVH table A.1: 3.54 to the
 /// knuckles).
 const MIDDLE: f64 = 3.5;
+/// Component of the fingers towards the body from which they point at it.
+const TOWARDS_BODY: f64 = 0.4;
 /// Pace of a sign, relative to the usual one.
 const PACES: (f64, f64) = (0.2, 5.0);
 
@@ -299,7 +301,11 @@ fn orientation(pose: &HandPose, side: Side) -> PalmKey {
 
 fn wrist(pose: &HandPose) -> MotionKey {
     let (fingers, _) = directions(pose);
-    let length = if pose.is_tip { pose.reach } else { MIDDLE };
+    let length = match pose.contact {
+        Contact::Tips => pose.reach,
+        Contact::Either if fingers.z > TOWARDS_BODY => pose.reach,
+        _ => MIDDLE,
+    };
     let position = pose.position - fingers * length;
     MotionKey {
         position: position
