@@ -6,9 +6,12 @@
 //! Problems of a file are diagnostics with spans in its decoded text; reading never fails. Times are
 //! in seconds of the recording.
 
-#![expect(
-    clippy::wildcard_imports,
-    reason = "the names of tracks and attributes are one list, used as a whole"
+#![cfg_attr(
+    not(test),
+    expect(
+        clippy::wildcard_imports,
+        reason = "the names of tracks and attributes are one list, used as a whole"
+    )
 )]
 
 pub mod anvil;

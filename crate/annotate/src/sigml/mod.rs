@@ -5,8 +5,11 @@
 
 mod motion;
 mod posture;
+mod read_motion;
+mod read_posture;
 mod shapes;
 mod sign;
+mod token_tables;
 mod tokens;
 mod vocabulary;
 

@@ -6,8 +6,10 @@ use raconteur_eml::{
     ShapeKey, Span, Track, quoted,
 };
 
-use super::motion::{MAX_KEYS, Motion, MotionReader, handedness, is_motion, shape};
-use super::posture::{Changes, Contact, HandPose, Hands, PostureReader, is_posture};
+use super::motion::{MAX_KEYS, Motion, handedness, shape};
+use super::posture::{Change, Changes, Contact, HandPose, Hands};
+use super::read_motion::{MotionReader, is_motion};
+use super::read_posture::{PostureReader, is_posture};
 use super::vocabulary::palm;
 use crate::orientation::palm_key;
 use crate::script::{Builder, permitted, rounded, seconds};
@@ -52,7 +54,7 @@ impl Signs {
         let mut motions = Vec::new();
         self.read(manual, hands, &mut changes, &mut motions, problems);
         for hand in 0..2 {
-            moves[hand] |= changes[hand] != super::posture::Change::default();
+            moves[hand] |= changes[hand] != Change::default();
             changes[hand].apply(&mut poses[hand]);
         }
         let motion = Motion::Sequence(motions);
