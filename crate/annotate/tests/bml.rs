@@ -368,6 +368,7 @@ fn hands_and_mirrored_values() {
 
 #[test]
 fn losses_are_told_and_errors_if_required() {
+    let many = format!("<face>{}</face>", "<facs au='1'/>".repeat(80));
     for (body, code) in [
         ("<gesture lexeme='FLY'/>", "bml::lexeme"),
         ("<gesture/>", "bml::lexeme"),
@@ -391,6 +392,7 @@ fn losses_are_told_and_errors_if_required() {
         ("<wait><condition/></wait>", "bml::event"),
         ("<speech><text></text></speech>", "bml::no-text"),
         ("<dance/>", "bml::unknown-element"),
+        (many.as_str(), "bml::too-large"),
         (
             "<gesture lexeme='BEAT' start='1'/><gesture lexeme='STOP' start='1.5'/>",
             "bml::same-hand",

@@ -440,7 +440,7 @@ fn nested_repetitions_are_limited() {
     let deep = sign("", &format!("{open}<directedmotion direction='u'/>{close}"));
     assert_eq!(codes(&deep), ["sigml::too-large"], "told once");
     assert!(
-        stroke(&deep.document).motions[0].keys.len() <= 200,
+        stroke(&deep.document).motions[0].keys.len() <= 100,
         "the number of keys is limited"
     );
     check(&deep.document);

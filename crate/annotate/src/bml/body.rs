@@ -154,6 +154,9 @@ fn named<T: Copy>(
     None
 }
 
+/// Maximum number of stances and poses of a posture.
+const MAX_PARTS: usize = 16;
+
 /// Adds a posture that ends, or a shift to one that stays.
 pub(super) fn add_posture(output: &mut Output<'_>, index: usize) {
     let behaviour = output.behaviour(index);
@@ -161,8 +164,12 @@ pub(super) fn add_posture(output: &mut Output<'_>, index: usize) {
     output.check_children(index, element, &["stance", "pose"]);
     let stances = element.all("stance").map(|stance| (stance, "type"));
     let poses = element.all("pose").map(|pose| (pose, "lexeme"));
+    if element.children.len() > MAX_PARTS {
+        let message = format!("only the first {MAX_PARTS} parts of the posture are performed");
+        output.lost(index, "bml::too-large", element.tag, message);
+    }
     let mut count = 0;
-    for (part, attribute) in stances.chain(poses) {
+    for (part, attribute) in stances.chain(poses).take(MAX_PARTS) {
         count += 1;
         let lexeme = part.value(attribute).unwrap_or("");
         let mut leans = LEANS.iter();

@@ -160,6 +160,8 @@ enum Half {
     Both,
 }
 
+/// Maximum number of lexemes and action units of a face; the head has fewer muscles.
+const MAX_PARTS: usize = 64;
 /// Default amount (BML 1.0).
 const AMOUNT: f64 = 0.5;
 
@@ -171,6 +173,10 @@ pub(super) fn add(output: &mut Output<'_>, index: usize) {
     let is_container = matches!(behaviour.kind, Kind::Face | Kind::FaceShift);
     output.check_children(index, element, if is_container { &parts } else { &[] });
     let amount = output.number(element, "amount", (0.0, 1.0), AMOUNT);
+    if element.children.len() >= MAX_PARTS {
+        let message = format!("only the first {MAX_PARTS} parts of the face are performed");
+        output.lost(index, "bml::too-large", element.tag, message);
+    }
     let mut count = 0;
     let is_part = |child: &Element| {
         let mut parts = parts.iter();
@@ -180,7 +186,7 @@ pub(super) fn add(output: &mut Output<'_>, index: usize) {
         .children
         .iter()
         .filter(|child| is_container && is_part(child));
-    for child in core::iter::once(element).chain(children) {
+    for child in core::iter::once(element).chain(children).take(MAX_PARTS) {
         let own = if core::ptr::eq(child, element) {
             amount
         } else {

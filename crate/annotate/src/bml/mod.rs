@@ -28,7 +28,7 @@ use output::Output;
 pub(crate) const ROOT: &str = "bml";
 
 /// Maximum number of behaviours; later ones are left out. EML scripts have at most 200,000 clauses,
-/// and a behaviour makes up to ten.
+/// and a behaviour makes about ten.
 const MAX_BEHAVIOURS: usize = 15_000;
 
 /// Converts the blocks of a file to a script. The root is a block or contains blocks.

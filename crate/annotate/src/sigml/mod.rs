@@ -18,9 +18,9 @@ use raconteur_eml::{Diagnostic, Document, quoted};
 use crate::xml::Element;
 use sign::Signs;
 
-/// Maximum number of signs; later ones are left out. EML scripts have at most 200,000 clauses, and a
-/// sign makes up to six.
-const MAX_SIGNS: usize = 20_000;
+/// Maximum number of signs; later ones are left out. It bounds the time, since a sign may have many
+/// nested motions.
+const MAX_SIGNS: usize = 5_000;
 
 /// Converts all signs of a file to a script.
 pub(crate) fn convert(root: &Element, problems: &mut Vec<Diagnostic>) -> Document {

@@ -7,7 +7,7 @@ use super::posture::{Change, Changes, HandPose, Hands};
 use crate::orientation::unit;
 
 /// Maximum number of keys of a sign.
-pub(super) const MAX_KEYS: usize = 200;
+pub(super) const MAX_KEYS: usize = 100;
 
 /// Usual lengths of motions, seconds: *designed*.
 const LINE_SECS: f64 = 0.4;

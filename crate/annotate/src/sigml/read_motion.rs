@@ -10,7 +10,7 @@ use super::vocabulary::direction;
 use crate::xml::Element;
 
 /// Maximum nesting of motions.
-const MAX_DEPTH: usize = 8;
+const MAX_DEPTH: usize = 5;
 /// Maximum number of motions of a sign.
 const MAX_MOTIONS: usize = 64;
 /// Factors of small and big sizes.
