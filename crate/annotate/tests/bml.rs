@@ -268,6 +268,18 @@ fn a_long_chain_of_references_resolves() {
 }
 
 #[test]
+fn the_number_of_clauses_is_limited() {
+    let face = format!("<face>{}</face>", "<facs au='1'/>".repeat(60));
+    let imported = bml(&face.repeat(2600));
+    assert_eq!(codes(&imported), ["bml::too-large"], "told once");
+    assert!(
+        imported.document.clauses.len() <= 150_000,
+        "{} clauses",
+        imported.document.clauses.len()
+    );
+}
+
+#[test]
 fn blocks_follow_or_join_each_other() {
     let source = "<scenario><bml id='one'><speech id='s'><text>One two three.</text></speech></bml>\
          <bml id='two'><gesture id='g' lexeme='BEAT' start='0.5'/></bml>\

@@ -8,12 +8,17 @@ use super::times::{Times, When};
 use crate::script::{Builder, permitted, seconds};
 use crate::xml::Element;
 
+/// Maximum number of clauses for behaviours. EML scripts have at most 200,000, and some more are
+/// needed for groups, places and animation players.
+const MAX_CLAUSES: usize = 150_000;
+
 /// Script under construction.
 pub(super) struct Output<'r> {
     pub(super) reading: &'r Reading<'r>,
     times: Times,
     pub(super) builder: Builder,
     places: Places<'r>,
+    is_full: bool,
     /// Hands, start and end of the latest gestures.
     pub(super) gestures: Vec<(Handedness, When, When)>,
     /// Animation players added so far.
@@ -27,6 +32,7 @@ impl<'r> Output<'r> {
             times,
             builder: Builder::default(),
             places: Places::default(),
+            is_full: false,
             gestures: Vec::new(),
             players: Vec::new(),
         }
@@ -63,8 +69,19 @@ impl<'r> Output<'r> {
         crate::script::rounded(secs.max(0.0))
     }
 
-    /// Adds a clause at a sync point.
+    /// Adds a clause at a sync point. Beyond the limit of a script, nothing is added, and reported
+    /// once.
     pub(super) fn push(&mut self, index: usize, point: Point, kind: ClauseKind) {
+        if self.builder.document.clauses.len() >= MAX_CLAUSES {
+            if !self.is_full {
+                self.is_full = true;
+                let message = format!("the script has more than {MAX_CLAUSES} clauses");
+                let span = self.behaviour(index).element.tag;
+                let problem = Diagnostic::error("bml::too-large", span, message);
+                self.builder.problems.push(problem);
+            }
+            return;
+        }
         let time = self.time(index, point);
         self.builder.push(time, kind);
     }
