@@ -16,7 +16,7 @@ mod vocabulary;
 use raconteur_eml::{Diagnostic, Document, quoted};
 
 use crate::xml::Element;
-use sign::Signs;
+use sign::SignSequence;
 
 /// Maximum number of signs; later ones are left out. It bounds the time, since a sign may have many
 /// nested motions.
@@ -24,7 +24,7 @@ const MAX_SIGNS: usize = 5_000;
 
 /// Converts all signs of a file to a script.
 pub(crate) fn convert(root: &Element, problems: &mut Vec<Diagnostic>) -> Document {
-    let mut signs = Signs::default();
+    let mut signs = SignSequence::default();
     for (index, sign) in root.children.iter().enumerate() {
         if index >= MAX_SIGNS {
             let message = format!("there are more than {MAX_SIGNS} signs");
@@ -46,7 +46,7 @@ pub(crate) fn convert(root: &Element, problems: &mut Vec<Diagnostic>) -> Documen
 }
 
 /// Adds the manual parts of a sign.
-fn add(signs: &mut Signs, sign: &Element, problems: &mut Vec<Diagnostic>) {
+fn add(signs: &mut SignSequence, sign: &Element, problems: &mut Vec<Diagnostic>) {
     let mut count = 0;
     for child in &sign.children {
         match child.name.as_str() {

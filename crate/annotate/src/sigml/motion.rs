@@ -63,11 +63,11 @@ pub(super) enum Motion {
 /// Start of each further round of a repeated motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Repetition {
-    /// Where the first one starts.
+    /// At the start of the first one.
     FromStart,
-    /// Where the one before ends, and back.
+    /// At the end of the one before, and back.
     Back,
-    /// Where the one before ends, and on.
+    /// At the end of the one before, and on.
     Continued,
 }
 

@@ -36,7 +36,7 @@ struct Sample {
 
 /// Signs performed so far.
 #[derive(Default)]
-pub(super) struct Signs {
+pub(super) struct SignSequence {
     pub(super) builder: Builder,
     /// End of the last sign, seconds.
     end_secs: f64,
@@ -44,7 +44,7 @@ pub(super) struct Signs {
     raised: [bool; 2],
 }
 
-impl Signs {
+impl SignSequence {
     /// Adds a sign. Its manual part is gestural SiGML.
     pub(super) fn add(&mut self, sign: &Element, manual: &Element, problems: &mut Vec<Diagnostic>) {
         let hands = Hands::read(manual);
