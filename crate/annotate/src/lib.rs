@@ -1,18 +1,22 @@
 //! Transcriptions of gesture and behaviour in other formats: the Gesture Scripting Language
 //! ([`gsl`]), the Gesture Recording Algorithm ([`gestura`]) and files of ANVIL ([`anvil`]) and
-//! ELAN ([`elan`]), and their conversion to EML ([`to_eml`]).
+//! ELAN ([`elan`]), and their conversion to EML ([`to_eml`]). Scripts in the Behavior Markup
+//! Language and in the Signing Gesture Markup Language become EML as well ([`import()`]).
 //!
 //! Problems of a file are diagnostics with spans in its decoded text; reading never fails. Times are
 //! in seconds of the recording.
 
 pub mod anvil;
+mod bml;
 pub mod elan;
 pub mod encoding;
 pub mod gestura;
 pub mod gsl;
 mod import;
 mod names;
+mod orientation;
 mod script;
+mod sigml;
 mod to_eml;
 pub mod xml;
 

@@ -1,5 +1,5 @@
-//! What accompanies gestures in a recording or a telling: prosody of words (C.3.1), and the stage:
-//! emotions, camera, light, music (an addition to GestuRA, in the terms of EML).
+//! Prosody of words (C.3.1), and events on stage: emotions, camera, light, music (an addition to
+//! GestuRA, in the terms of EML).
 
 use std::ops::RangeInclusive;
 

@@ -59,7 +59,7 @@ pub(super) fn write(builder: &mut Builder, transcription: &Transcription, anchor
             animation: gesture.animation.clone(),
             style: Some(AnimationStyle {
                 style: PlaybackStyle::TemporaryIterations,
-                ..AnimationStyle::default()
+                iterations: 1,
             }),
             ..DeterministicPrimitive::default()
         };

@@ -106,3 +106,26 @@ fn what_eml_does_not_know_is_told() {
     let (eml, _) = script(&markup);
     assert_eq!(eml.matches("<null").count(), 0, "{eml}");
 }
+
+#[test]
+fn gestures_of_other_classes_are_animations() {
+    let wave = element(
+        "gestures",
+        "type='primary'",
+        "start='4.1' end='5'",
+        &[("type", "emblem"), ("animation", "wave")],
+    );
+    let (eml, told) = script(&wave);
+    assert_eq!(told, [""; 0], "{eml}");
+    assert_eq!(raconteur_eml::parse(&eml).diagnostics, [], "{eml}");
+    let expected = "<body-deterministic-primitive time='w4+0.1' primitive='push' \
+                    player='transcribed' animationSetName='wave'>";
+    assert!(eml.contains(expected), "{eml}");
+    let unnamed = element(
+        "gestures",
+        "type='primary'",
+        "start='4.1' end='5'",
+        &[("type", "sign")],
+    );
+    assert_eq!(script(&unnamed).1, ["gestura::no-animation"]);
+}
