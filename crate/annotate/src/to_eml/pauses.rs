@@ -22,7 +22,13 @@ pub fn fit_pauses(document: &mut Document, voice: impl Fn(ClauseId) -> Option<Vo
         let (leading_secs, end_secs) = spoken.unwrap_or_default();
         let is_relative = !clause.start.names.is_empty();
         let early_secs = leading_secs + if is_relative { trailing_secs } else { 0.0 };
-        clause.start.offset_secs = rounded((clause.start.offset_secs - early_secs).max(0.0));
+        let start_secs = rounded(clause.start.offset_secs - early_secs);
+        // Silences may overlap; only the script has a beginning.
+        clause.start.offset_secs = if is_relative {
+            start_secs
+        } else {
+            start_secs.max(0.0)
+        };
         trailing_secs = end_secs;
     }
 }
