@@ -27,7 +27,7 @@ const de = '<track kind="captions" srclang="de" label="Deutsch" src="de.vtt" id=
 
 /** Opens a story with subtitles, and shows a time at which each of them has a text. */
 async function open(stage: Stage, tracks: string, attributes = 'controls captions'): Promise<void> {
-  await stage.open(`<main><h1>Story</h1><raconteur-player src="/assets/stories/hello-world/story.eml" quality="lowest" ${attributes}>${tracks}</raconteur-player></main>`, {
+  await stage.open(`<main><h1>Story</h1><raconteur-player src="/assets/stories/white-rabbit/story.eml" quality="lowest" ${attributes}>${tracks}</raconteur-player></main>`, {
     ...files,
     'test.css': 'raconteur-player { width: 480px; height: 270px; aspect-ratio: auto } body, h1 { margin: 0 }',
   });
@@ -145,11 +145,17 @@ for (const [name, src, message] of [
   });
 }
 
+/** Adds a `<track>` to the player by a script. */
+const add = ({ player }: Stage, about: { readonly [name: string]: string }): Promise<void> => player.evaluate((p, given) => p.append(Object.assign(document.createElement('track'), given)), about);
+const portuguese = { kind: 'subtitles', srclang: 'pt', label: 'Português', src: 'pt.vtt' };
+
 test('elements come, change and go; the language stays with another story', async ({ stage }) => {
   await open(stage, '');
   await expect(button(stage)).toHaveAttribute('aria-pressed', 'true');
-  await stage.player.evaluate((p: RaconteurPlayer, html) => p.insertAdjacentHTML('beforeend', html), pt + de);
+  await add(stage, portuguese);
+  await add(stage, { kind: 'captions', srclang: 'de', src: 'de.vtt' });
   await button(stage).click();
+  await expect(choice(stage, 'Deutsch')).toHaveAttribute('lang', 'de');
   await choice(stage, 'Português').click();
   await expect(shown(stage)).toHaveAttribute('lang', 'pt');
 
@@ -159,16 +165,16 @@ test('elements come, change and go; the language stays with another story', asyn
   await expect(shown(stage)).toHaveAttribute('lang', 'pt');
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.textTracks.shown?.label)).toBe('Brasileiro');
 
-  await stage.player.evaluate((p: RaconteurPlayer, html) => {
+  await stage.player.evaluate((p: RaconteurPlayer) => {
     p.querySelector('track')?.remove();
-    p.src = '/assets/stories/white-rabbit/story.eml';
-    p.insertAdjacentHTML('beforeend', html);
-  }, pt);
+    p.src = '/assets/stories/hello-world/story.eml';
+  });
+  await add(stage, portuguese);
   await stage.ready();
   await stage.seek(1);
   await expect(shown(stage)).toHaveText('Olá, mundo!Sou a Sofia & conto.');
 
   await stage.player.evaluate((p: RaconteurPlayer) => p.replaceChildren());
-  await expect(shown(stage)).toHaveAttribute('lang', 'en');
+  await expect.poll(() => modes(stage)).toEqual(['captions en showing']);
   await expect(button(stage)).toHaveAttribute('aria-pressed', 'true');
 });

@@ -96,7 +96,10 @@ export class StoryTextTracks extends EventTarget {
     const track = this.#insert(new StoryTextTrack(about, 'disabled', (...change) => this.#follow(...change)));
     if (!isText(track)) return track;
     if (isDefault && this.#language === undefined) track.mode = 'showing';
-    else this.#settle(this.#shown !== undefined);
+    else {
+      this.#return(this.#own?.language);
+      this.#switch(this.#chosen(this.#shown !== undefined));
+    }
     return track;
   }
 
@@ -122,8 +125,10 @@ export class StoryTextTracks extends EventTarget {
     if (before !== undefined && before === this.#shown) this.#shown = undefined;
     if (before !== undefined) this.#changed('removetrack', before);
     if (language === undefined) return;
-    this.#own = new StoryTextTrack({ kind: 'captions', label: 'Captions', language, id: 'story' }, 'disabled', (...change) => this.#follow(...change));
-    this.#settle(shown);
+    this.#return(language);
+    const isShown = shown && this.#choice === undefined;
+    this.#own = new StoryTextTrack({ kind: 'captions', label: 'Captions', language, id: 'story' }, isShown ? 'showing' : 'disabled', (...change) => this.#follow(...change));
+    this.#switch(this.#chosen(shown));
     this.#changed('addtrack', this.#own);
   }
 
@@ -141,7 +146,7 @@ export class StoryTextTracks extends EventTarget {
 
   /** Shows or hides captions: those of the track chosen last. */
   setShown(shown: boolean): void {
-    if (shown !== (this.#shown !== undefined)) this.#switch(shown ? (this.#choice ?? this.#own) : undefined);
+    if (shown !== (this.#shown !== undefined)) this.#switch(this.#chosen(shown));
   }
 
   /** Jumps to another time. */
@@ -199,13 +204,15 @@ export class StoryTextTracks extends EventTarget {
     this.#switch(track);
   }
 
-  /** Returns to the language chosen last, where another story or other tracks have it. */
-  #settle(shown: boolean): void {
+  /** Returns to the language chosen last if another story, whose own language is `own`, does not have it, and a track has. */
+  #return(own: string | undefined): void {
     const language = this.#language;
-    if (language !== undefined && this.#choice === undefined && !isSame(language, this.#own?.language)) {
-      this.#choice = this.#added.find((track) => isText(track) && isSame(language, track.language));
-    }
-    this.#switch(shown ? (this.#choice ?? this.#own) : undefined);
+    if (language === undefined || this.#choice !== undefined || isSame(language, own)) return;
+    this.#choice = this.#added.find((track) => isText(track) && isSame(language, track.language));
+  }
+
+  #chosen(shown: boolean): StoryTextTrack | undefined {
+    return shown ? (this.#choice ?? this.#own) : undefined;
   }
 
   /** Shows a track instead of the one before. */
