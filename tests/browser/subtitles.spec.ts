@@ -146,7 +146,8 @@ for (const [name, src, message] of [
 }
 
 /** Adds a `<track>` to the player by a script. */
-const add = ({ player }: Stage, about: { readonly [name: string]: string }): Promise<void> => player.evaluate((p, given) => p.append(Object.assign(document.createElement('track'), given)), about);
+const add = ({ player }: Stage, about: { readonly [name: string]: string }): Promise<void> =>
+  player.evaluate((p, given) => p.append(Object.assign(document.createElement('track'), given)), about);
 const portuguese = { kind: 'subtitles', srclang: 'pt', label: 'Português', src: 'pt.vtt' };
 
 test('elements come, change and go; the language stays with another story', async ({ stage }) => {

@@ -23,7 +23,8 @@ describe('a file of subtitles', () => {
   const read = async (text: string) => (await cuesOf(text))?.map(({ id, startTime, endTime, text: own }) => [id, startTime, endTime, own]);
 
   it('has cues with their markup, without comments, styles and places', async () => {
-    const text = 'WEBVTT Kind: captions\r\n\r\nNOTE a comment\r\n\r\nSTYLE\r\n::cue { color: red }\r\n\r\n1\r\n00:01.500 --> 01:00:02.000 line:0\r\n<i>One</i>\r\ntwo\r\n\r\n00:03.000 --> 00:04.000\r\nlast';
+    const text =
+      'WEBVTT Kind: captions\r\n\r\nNOTE a comment\r\n\r\nSTYLE\r\n::cue { color: red }\r\n\r\n1\r\n00:01.500 --> 01:00:02.000 line:0\r\n<i>One</i>\r\ntwo\r\n\r\n00:03.000 --> 00:04.000\r\nlast';
     expect(await read(text)).toEqual([
       ['1', 1.5, 3602, '<i>One</i>\ntwo'],
       ['', 3, 4, 'last'],
