@@ -19,7 +19,7 @@ interface Entry {
   readonly about: string;
   /** Address of the file, as written. */
   src: string;
-  /** Controller that cancels the request for the file; present from its start on. */
+  /** Controller that cancels the request for the file; it stays when the file has come. */
   request?: AbortController | undefined;
 }
 
@@ -61,12 +61,11 @@ export class TrackElements implements ReactiveController {
   #read(): void {
     const all = this.#context().player.querySelectorAll<HTMLTrackElement>(':scope > track');
     const elements = [...all].filter(({ kind }) => kind === 'subtitles' || kind === 'captions');
-    const isShown = (track: StoryTextTrack) => track === this.#tracks.shown;
     for (const [element, entry] of this.#entries) {
       if (elements.includes(element) && entry.about === aboutOf(element)) continue;
       entry.request?.abort();
       this.#entries.delete(element);
-      const wasShown = isShown(entry.track);
+      const wasShown = entry.track === this.#tracks.shown;
       this.#tracks.remove(entry.track);
       // The same subtitles under another name.
       if (wasShown && elements.includes(element)) this.#add(element).mode = 'showing';
