@@ -1,5 +1,6 @@
 /** Actions of a player's controls and keys. */
 
+import { CaptionMenu } from './controls/caption-menu.js';
 import type { BarActions } from './controls/controls.js';
 import type { KeyActions } from './controls/keyboard.js';
 import type { RaconteurPlayer } from './element.js';
@@ -38,12 +39,22 @@ export function actionsOf(player: RaconteurPlayer, context: PlayerContext): KeyA
       const { captionsOn, captionsOff } = wordsFor(player);
       say(on ? captionsOn : captionsOff);
     },
+    chooseCaptions: (track) => {
+      const { textTracks } = player;
+      const { shown } = textTracks;
+      // As a page would, so that it is told in the same way.
+      if (track !== undefined) track.mode = 'showing';
+      else if (shown !== undefined) shown.mode = 'disabled';
+      say(track === undefined ? wordsFor(player).captionsOff : wordsFor(player).captionsOn);
+    },
+    captionMenu: new CaptionMenu(player),
     toggleFullscreen: () => {
       const change = isFullscreen() ? document.exitFullscreen() : player.requestFullscreen();
       // A browser may refuse; the player stays as it is.
       change.catch(() => undefined);
     },
     dismiss: () => {
+      if (actions.captionMenu.close()) return true;
       const open = player.renderRoot.querySelector('details[open]');
       if (open instanceof HTMLDetailsElement) open.open = false;
       else if (isFullscreen()) actions.toggleFullscreen();

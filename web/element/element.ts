@@ -78,6 +78,8 @@ import {
  * @csspart volume - The volume slider
  * @csspart speed - The list of speeds
  * @csspart captions-button - The captions button
+ * @csspart captions-menu - The list of languages, where there is more than one
+ * @csspart captions-choice - Each language of the list
  * @csspart fullscreen - The full-screen button
  * @csspart captions - The captions
  * @csspart caption-word - The current word in captions
@@ -175,8 +177,8 @@ export class RaconteurPlayer extends PlayerAttributes {
   });
   readonly #arrival = new Arrival(this.#context, this.#stories, this.#figures, () => this.renew());
   readonly #idle = new Idle(
-    // Controls with keyboard focus stay visible.
-    () => this.paused || this.renderRoot.querySelector('.bar :focus-visible') !== null,
+    // Controls with keyboard focus or an open list stay visible.
+    () => this.paused || this.renderRoot.querySelector('.bar :is(:focus-visible, [aria-expanded="true"])') !== null,
     () => this.requestUpdate(),
   );
   readonly #actions = actionsOf(this, this.#context);

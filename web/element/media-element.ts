@@ -12,6 +12,7 @@ import { Ranges, without } from './base/ranges.js';
 import type { Lesson } from './lesson/lesson.js';
 import type { StoryLoader } from './story/story-loader.js';
 import type { StoryTextTrack } from './media/text-track.js';
+import { TrackElements } from './captions/track-elements.js';
 import { StoryTextTracks } from './media/text-tracks.js';
 import type { PlayerError } from './base/types.js';
 
@@ -47,9 +48,14 @@ export abstract class MediaElement extends PromptElement {
   );
   readonly #outputs = new Outputs();
 
+  constructor() {
+    super();
+    this.addController(new TrackElements(this.#tracks, () => this.parts.context));
+  }
+
   protected abstract get parts(): Parts;
 
-  /** Shows or hides the captions when a page switches their track. */
+  /** Shows or hides captions when a page switches a track of them. */
   protected abstract showCaptions(shown: boolean): void;
 
   // --- playback ---
@@ -352,7 +358,7 @@ export abstract class MediaElement extends PromptElement {
     return this.#outputs.size.height;
   }
 
-  /** The story's captions, if there is a story, and tracks added by `addTextTrack`. */
+  /** The story's captions, if there is a story, those of `<track>` elements between the tags, and tracks added by `addTextTrack`. One of the kinds `subtitles` and `captions` is shown at a time. */
   get textTracks(): StoryTextTracks {
     return this.#tracks;
   }
@@ -457,7 +463,8 @@ export abstract class MediaElement extends PromptElement {
   /** Brings text tracks to a moment. Time passes for them once the story was played or sought. */
   #march(secs: number): void {
     const { show, started } = this.parts.context;
-    if (show !== undefined && started) this.#tracks.march(show.captions, secs, () => !this.paused && this.pause());
+    if (show === undefined || !started) return;
+    if (this.#tracks.march(show.captions, secs, () => !this.paused && this.pause())) this.requestUpdate();
   }
 
   override attributeChangedCallback(name: string, before: string | null, after: string | null, namespace?: string | null): void {

@@ -47,7 +47,7 @@ export abstract class PlayerAttributes extends MediaElement {
   declare quality: Quality;
   /** `lazy` loads when the player comes near the viewport, `eager` immediately. */
   declare loading: 'lazy' | 'eager';
-  /** Shows captions. */
+  /** Shows captions: the story's own, or the subtitles of a `<track>` element that the user or the page has chosen. */
   declare captions: boolean;
   /** Shows a collapsed list of problems of story, voice and figure over the stage, for authors. */
   declare remarks: boolean;

@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import type { captionAt } from './captions/captions.js';
 import { controlLanguage, wordsFor } from './story/context.js';
+import { nameOf, type CaptionChoice } from './controls/caption-menu.js';
 import * as controls from './controls/controls.js';
 import type { RaconteurPlayer } from './element.js';
 import type { Idle } from './controls/idle.js';
@@ -44,9 +45,9 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       ${stories.share === undefined ? nothing : controls.loadingProgress(words, stories.share)}
       ${show?.transport.waiting || state.changing ? controls.waitingRing() : nothing}
       ${before ? controls.bigButton(words, player.ended, (event) => begin(player, actions, event)) : nothing}
-      ${hasCaptions(player, show) && (show?.captions.length ?? 0) > 0 ? html`<div class="caption-room"></div>` : nothing}
+      ${hasCaptions(player, show) && (isForeign(player) || (show?.captions.length ?? 0) > 0) ? html`<div class="caption-room"></div>` : nothing}
       <div class="lower">
-        ${hasCaptions(player, show) && !before && questioner.lesson.asked === undefined ? controls.caption(state.caption) : nothing}
+        ${hasCaptions(player, show) && !before && questioner.lesson.asked === undefined ? text(state) : nothing}
         ${show && player.controls ? bar(player, show, idle, actions) : nothing}
       </div>
       ${questioner.form.render(questioner.lesson.asked)}
@@ -58,6 +59,15 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       <div class="unseen" role="status">${state.announcement}</div>
     </div>
     ${questioner.lesson.asked === undefined ? nothing : html`<div class="growth"></div>`}`;
+}
+
+/** True if a track of the page is shown instead of the story's own captions. */
+const isForeign = ({ textTracks: { shown, own } }: RaconteurPlayer): boolean => shown !== undefined && shown !== own;
+
+/** Returns the text of the track that is shown. */
+function text({ player, caption }: TemplateState): TemplateResult | typeof nothing {
+  const { shown, own } = player.textTracks;
+  return isForeign(player) ? controls.subtitle(shown?.activeCues ?? [], shown?.language ?? '') : controls.caption(caption, own?.language ?? '');
 }
 
 /** Starts the story and moves the focus from the vanishing button, so that keyboard users can continue. */
@@ -79,10 +89,29 @@ function bar(player: RaconteurPlayer, show: Show, idle: Idle, actions: controls.
       muted: player.muted,
       rate: show.transport.rate,
       captions: hasCaptions(player, show),
+      choices: choicesOf(player, actions),
       fullscreen: document.fullscreenElement === player,
       canFullscreen: document.fullscreenEnabled,
       gone: idle.is && !player.paused,
     },
     actions,
   );
+}
+
+/** Returns the captions to choose from: none, or one of the tracks; empty if there is only the story's own. */
+function choicesOf(player: RaconteurPlayer, { chooseCaptions }: controls.BarActions): CaptionChoice[] {
+  const { shown, own, texts } = player.textTracks;
+  if (texts.length < 2) return [];
+  const words = wordsFor(player);
+  const tracks = texts.map((track) => {
+    const name = nameOf(track.language);
+    const isNamed = track !== own && track.label !== '';
+    return {
+      label: isNamed ? track.label : name || words.captions,
+      language: isNamed || !name ? undefined : track.language,
+      isChosen: track === shown,
+      choose: () => chooseCaptions(track),
+    };
+  });
+  return [{ label: words.noCaptions, language: undefined, isChosen: shown === undefined, choose: () => chooseCaptions(undefined) }, ...tracks];
 }

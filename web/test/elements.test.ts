@@ -24,7 +24,10 @@ describe('What the element is said to be', () => {
   it('is what its styles and templates have', () => {
     expect(names(element.cssProperties)).toEqual(found(read('web/element/element.css'), /var\((--raconteur-[\w-]+)/g));
     expect(names(element.cssParts)).toEqual(
-      found(['controls/controls', 'template', 'lesson/question', 'lesson/question-fields'].map((part) => read(`web/element/${part}.ts`)).join(''), /part="([\w -]+)"/g),
+      found(
+        ['controls/controls', 'controls/caption-menu', 'template', 'lesson/question', 'lesson/question-fields'].map((part) => read(`web/element/${part}.ts`)).join(''),
+        /part="([\w -]+)"/g,
+      ),
     );
   });
 

@@ -27,7 +27,7 @@ const pages = { gestures: 150, viewer: 13, face: 10, expression: 8, composite: 3
  * Files fetched only by some players: avatar importer, in-page speech and its engines, narration, mind connection, music, browser speech, time stretching, and
  * film.
  */
-const apart = 'added avatar faces film flite here kokoro marks mind music natural say server spoken src stretch tell told worker'.split(' ');
+const apart = 'added avatar faces film flite here kokoro marks mind music natural say server spoken src stretch tell told vtt worker'.split(' ');
 
 /** Returns the gzip size. Node's own deflate trades 2 % of size for speed, so the `gzip` program is used if installed. */
 function gzip9(part) {

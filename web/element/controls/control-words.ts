@@ -17,6 +17,8 @@ export interface ControlWords {
   readonly captions: string;
   readonly captionsOn: string;
   readonly captionsOff: string;
+  /** Choice of no captions, in a list that is named as captions. */
+  readonly noCaptions: string;
   readonly fullScreen: string;
   readonly leaveFullScreen: string;
   /** The key in a tip. */
@@ -54,6 +56,7 @@ const EN: ControlWords = {
   captions: 'Captions',
   captionsOn: 'Captions on',
   captionsOff: 'Captions off',
+  noCaptions: 'Off',
   fullScreen: 'Full screen',
   leaveFullScreen: 'Leave full screen',
   space: 'space',
@@ -90,6 +93,7 @@ const PT: ControlWords = {
   captions: 'Legendas',
   captionsOn: 'Com legendas',
   captionsOff: 'Sem legendas',
+  noCaptions: 'Desligadas',
   fullScreen: 'Ecrã inteiro',
   leaveFullScreen: 'Sair do ecrã inteiro',
   space: 'espaço',
@@ -126,6 +130,7 @@ const DE: ControlWords = {
   captions: 'Untertitel',
   captionsOn: 'Untertitel an',
   captionsOff: 'Untertitel aus',
+  noCaptions: 'Aus',
   fullScreen: 'Vollbild',
   leaveFullScreen: 'Vollbild verlassen',
   space: 'Leertaste',

@@ -5,9 +5,11 @@ import { Directive, directive, type ElementPart } from 'lit/directive.js';
 import { classMap } from 'lit/directives/class-map.js';
 import type { captionAt } from '../captions/captions.js';
 import { formatTime, spokenTime } from '../base/clock.js';
+import { captionsButton, type CaptionChoice, type CaptionMenu } from './caption-menu.js';
 import type { ControlWords } from './control-words.js';
 import { icons } from './icons.js';
 import type { Diagnostic, Place } from '../base/types.js';
+import type { StoryTextTrack } from '../media/text-track.js';
 
 /** Speeds offered in the menu. */
 const SPEEDS = [0.5, 0.75, 1, 1.25, 1.5, 2];
@@ -25,6 +27,8 @@ export interface BarState {
   readonly muted: boolean;
   readonly rate: number;
   readonly captions: boolean;
+  /** What captions can be chosen, where there is more than one language. */
+  readonly choices: readonly CaptionChoice[];
   readonly fullscreen: boolean;
   readonly canFullscreen: boolean;
   readonly gone: boolean;
@@ -38,6 +42,9 @@ export interface BarActions {
   setRate(rate: number): void;
   toggleMuted(): void;
   toggleCaptions(): void;
+  /** Shows a track, or none. */
+  chooseCaptions(track: StoryTextTrack | undefined): void;
+  readonly captionMenu: CaptionMenu;
   toggleFullscreen(): void;
 }
 
@@ -105,15 +112,7 @@ export function bar(state: BarState, actions: BarActions): TemplateResult {
     <select class="speed" part="speed" aria-label=${words.speed} title=${words.speed} @change=${(event: Event) => actions.setRate(number(event))}>
       ${speeds.map((s) => html`<option value=${s} .selected=${s === state.rate}>${s}×</option>`)}
     </select>
-    <button
-      part="button captions-button"
-      aria-label=${words.captions}
-      aria-pressed=${state.captions ? 'true' : 'false'}
-      title="${words.captions} (C)"
-      @click=${actions.toggleCaptions}
-    >
-      ${icons.captions}
-    </button>
+    ${state.choices.length > 0 ? actions.captionMenu.render(words, state.captions, state.choices) : captionsButton(words, state.captions, actions.toggleCaptions)}
     ${
       state.canFullscreen
         ? html`<button
@@ -130,12 +129,19 @@ export function bar(state: BarState, actions: BarActions): TemplateResult {
 }
 
 /** Returns the caption with the spoken word highlighted. */
-export function caption(now: ReturnType<typeof captionAt>): TemplateResult | typeof nothing {
+export function caption(now: ReturnType<typeof captionAt>, language: string): TemplateResult | typeof nothing {
   if (now === undefined) return nothing;
   // A space between words, inside the line: `mark` alone would join them.
   const { words: all, second } = now.caption;
   const words = all.map((w, i) => html`${i === 0 ? nothing : i === second ? html` <br />` : ' '}${i === now.word ? html`<mark part="caption-word">${w.text}</mark>` : w.text}`);
-  return html`<div class="captions" part="captions"><span>${words}</span></div>`;
+  return html`<div class="captions" part="captions" lang=${language}><span>${words}</span></div>`;
+}
+
+/** Returns the current cues of a page's track, in their lines, as plain text. */
+export function subtitle(cues: readonly TextTrackCue[], language: string): TemplateResult | typeof nothing {
+  const lines = cues.flatMap((cue) => (cue instanceof VTTCue ? (cue.getCueAsHTML().textContent ?? '').split('\n') : [])).filter((line) => line.trim() !== '');
+  if (lines.length === 0) return nothing;
+  return html`<div class="captions" part="captions" lang=${language} dir="auto"><span>${lines.map((line, i) => html`${i === 0 ? nothing : html`<br />`}${line}`)}</span></div>`;
 }
 
 /** Renders the collapsible list of the problems of a story and its figure. */

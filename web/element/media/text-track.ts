@@ -31,6 +31,14 @@ interface CueChange {
 /** Cues in order of time; of two that begin together the longer one is first. */
 const byTime = (a: TextTrackCue, b: TextTrackCue): number => a.startTime - b.startTime || b.endTime - a.endTime;
 
+/** What a track is said to be. */
+export interface TrackAbout {
+  readonly kind: TextTrackKind;
+  readonly label: string;
+  readonly language: string;
+  readonly id?: string;
+}
+
 /** A row of timed texts. */
 export class StoryTextTrack extends EventTarget {
   readonly kind: TextTrackKind;
@@ -46,7 +54,7 @@ export class StoryTextTrack extends EventTarget {
   /** Time after which cues have not been dispatched. */
   #toldSecs = -AT_ONCE_SECS;
 
-  constructor(about: { kind: TextTrackKind; label: string; language: string; id?: string }, mode: TextTrackMode, changed: (track: StoryTextTrack, isCue: boolean) => void) {
+  constructor(about: TrackAbout, mode: TextTrackMode, changed: (track: StoryTextTrack, isCue: boolean) => void) {
     super();
     this.kind = about.kind;
     this.label = about.label;
@@ -57,7 +65,7 @@ export class StoryTextTrack extends EventTarget {
     this.addEventListener('cuechange', (event) => this.oncuechange?.(event));
   }
 
-  /** Mode of the track. `disabled`: inactive; `hidden`: its cues are dispatched; `showing`: they are also displayed, if the track is the story's own. */
+  /** Mode of the track. `disabled`: inactive; `hidden`: its cues are dispatched; `showing`: they are also displayed, if they are subtitles or captions, instead of those of another track. */
   get mode(): TextTrackMode {
     return this.#mode;
   }
@@ -65,15 +73,27 @@ export class StoryTextTrack extends EventTarget {
   set mode(mode: TextTrackMode) {
     // As for every enumerated attribute, an invalid value changes nothing.
     if (!MODES.includes(mode) || mode === this.#mode) return;
-    this.#mode = mode;
+    this.#become(mode);
     this.#changed(this, false);
   }
 
   /** Shows or hides the track on behalf of the player, not the page; returns true if the mode changed. */
   setShown(shown: boolean): boolean {
     if (shown === (this.#mode === 'showing')) return false;
-    this.#mode = shown ? 'showing' : 'disabled';
+    this.#become(shown ? 'showing' : 'disabled');
     return true;
+  }
+
+  /** Disables the track on behalf of the player; returns true if the mode changed. */
+  disable(): boolean {
+    if (this.#mode === 'disabled') return false;
+    this.#become('disabled');
+    return true;
+  }
+
+  #become(mode: TextTrackMode): void {
+    this.#mode = mode;
+    if (mode === 'disabled') this.#active.splice(0);
   }
 
   /** Cues in order of time; null while the track is disabled. */
@@ -107,6 +127,12 @@ export class StoryTextTrack extends EventTarget {
   replaceCues(cues: readonly TextTrackCue[]): void {
     this.#cues.splice(0, Infinity, ...cues);
     for (const cue of cues) setTrack(cue, this);
+  }
+
+  /** Replaces all cues by those of a file. */
+  load(cues: readonly TextTrackCue[]): void {
+    this.replaceCues(cues);
+    this.#changed(this, true);
   }
 
   /** Jumps to a time: cues between are not dispatched. */
