@@ -2,16 +2,21 @@
 //! ([`gsl`]), the Gesture Recording Algorithm ([`gestura`]) and files of ANVIL ([`anvil`]) and
 //! ELAN ([`elan`]), and their conversion to EML ([`to_eml`]).
 //!
+//! [`plain`] is the data of pages, which load this crate as a wasm file of its own.
+//!
 //! Problems of a file are diagnostics with spans in its decoded text; reading never fails. Times are
 //! in seconds of the recording.
 
 pub mod anvil;
+#[cfg(target_arch = "wasm32")]
+pub mod bindings;
 pub mod elan;
 pub mod encoding;
 pub mod gestura;
 pub mod gsl;
 mod import;
 mod names;
+pub mod plain;
 mod script;
 mod to_eml;
 pub mod xml;

@@ -3,5 +3,6 @@
 mod anvil;
 mod elan;
 mod gsl;
+mod plain;
 mod random;
 mod replay;
