@@ -7,6 +7,7 @@ import { openEyesAt } from '../face/course.js';
 import { copyText, findPlayer, onUndoKeys, byId, saveScript } from '../workbench.js';
 import { App } from './app.js';
 import { EXAMPLES } from './examples.js';
+import { FIGURES } from '../figures.js';
 import { remember, remembered } from './memory.js';
 import { overlay } from './overlay.js';
 import { Palms } from './palm.js';
@@ -14,15 +15,6 @@ import { panels } from './panels.js';
 import { difference } from '../source.js';
 import { timeline } from './timeline.js';
 
-/** Figures available on stage. */
-const FIGURES: Readonly<Record<string, string>> = {
-  sofia: 'Sofia',
-  papous: 'Papous',
-  nuno: 'Nuno',
-  amara: 'Amara',
-  kenji: 'Kenji',
-  lia: 'Lia',
-};
 const SPEEDS = [0.5, 1, 1.5];
 /** Views of the stage, with room for a raised hand even in a narrow image; the first is the audience's. */
 const SIDES: Readonly<Record<string, View | undefined>> = {
