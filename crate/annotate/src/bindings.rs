@@ -198,9 +198,11 @@ fn placed(
             column_utf16: lines.position_utf16(offset).column,
         }
     };
+    // A problem of the whole file has no place.
+    let has_place = problem.span != Span::default();
     Diagnostic {
-        start: Some(position(problem.span.start)),
-        end: Some(position(problem.span.end)),
+        start: has_place.then(|| position(problem.span.start)),
+        end: has_place.then(|| position(problem.span.end)),
         item,
         ..unplaced(problem)
     }

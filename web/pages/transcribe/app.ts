@@ -3,7 +3,7 @@
 import { UndoStack } from '../undo.js';
 import type { Annotations } from './annotate.js';
 import { grip, type Grip, type Side } from './edges.js';
-import { forget, remember, remembered } from './memory.js';
+import { forget, remember, remembered, type Remembered } from './memory.js';
 import type { Playback } from './playback.js';
 import { annotationAt, endOf, spanOf, timeOf, tracksOf, type Span, type Track } from './tracks.js';
 import { isSame, type Anchoring, type Item, type Lists, type Opened, type Problem, type Statistics, type Transcription } from './types.js';
@@ -12,6 +12,8 @@ import { isSame, type Anchoring, type Item, type Lists, type Opened, type Proble
 const PAUSE_MS = 150;
 /** Time shown after the last annotation, seconds. */
 const AFTER_SECS = 0.5;
+/** Text on stage without an annotation. */
+const EMPTY = '<eml><body><null time="600"/></body></eml>';
 
 export class App {
   name = '';
@@ -24,6 +26,8 @@ export class App {
   lost: readonly Problem[] = [];
   statistics: Statistics | undefined;
   anchoring: Anchoring = 'words';
+  /** The annotation that was closed last. */
+  closed: Remembered | undefined;
   /** False once the browser could not store the annotation. */
   isStored = true;
   #undo = new UndoStack<Transcription | undefined>(undefined);
@@ -51,17 +55,21 @@ export class App {
     return [];
   }
 
-  /** Restores the annotation of the last visit; false if there is none. */
-  async restore(): Promise<boolean> {
+  /** Opens the annotation that was closed. */
+  async reopen(): Promise<void> {
+    const { closed } = this;
+    if (closed !== undefined) await this.#begin(closed.name, { transcription: closed.transcription, text: '', diagnostics: [] });
+  }
+
+  /** Restores the annotation of the last visit, if there is one. */
+  async restore(): Promise<void> {
     const last = remembered();
-    if (last === undefined) return false;
     try {
-      await this.#begin(last.name, { transcription: last.transcription, text: '', diagnostics: [] });
-      return true;
+      if (last === undefined) this.close();
+      else await this.#begin(last.name, { transcription: last.transcription, text: '', diagnostics: [] });
     } catch {
       // The stored data is of another version.
       this.close();
-      return false;
     }
   }
 
@@ -78,10 +86,13 @@ export class App {
     this.#changed();
   }
 
-  /** Puts the annotation away. */
+  /** Puts the annotation away, and empties the stage. Until the page is left, `reopen` brings it back. */
   close(): void {
     forget();
+    if (this.transcription !== undefined) this.closed = { name: this.name, transcription: this.transcription };
+    clearTimeout(this.#pause);
     this.playback.pause();
+    this.playback.player.rehearse(EMPTY).catch(() => undefined);
     this.transcription = undefined;
     this.tracks = [];
     this.problems = [];

@@ -15,6 +15,8 @@ const STEP_SECS = 0.01;
 const ZOOM = 1.5;
 /** Width from which a span has edges to drag, pixels. */
 const EDGES_PX = 28;
+/** Width from which a span has its text, pixels. */
+const LABEL_PX = 18;
 /** Share of the view after which it follows the needle during playback. */
 const TURN = 0.92;
 
@@ -179,7 +181,7 @@ export class Lanes {
       data-index=${item.index}
       ${vars({ '--at': `${(start * scale).toFixed(2)}px`, '--long': `${Math.max(2, width).toFixed(2)}px` })}
     >
-      <span class="label" aria-hidden="true">${width < 12 ? nothing : label}</span>
+      <span class="label" aria-hidden="true">${width < LABEL_PX ? nothing : label}</span>
       ${isChosen || width >= EDGES_PX ? html`<span class="edge start" data-side="start"></span><span class="edge end" data-side="end"></span>` : nothing}
     </div>`;
   }

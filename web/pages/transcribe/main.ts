@@ -20,8 +20,6 @@ const RATES = [0.25, 0.5, 0.75, 1];
 /** Step of the arrow keys outside of the tracks, seconds. */
 const STEP_SECS = 0.1;
 const ANCHORS: Readonly<Record<Anchoring, string>> = { words: 'Words', seconds: 'Seconds' };
-/** Text on stage while there is no annotation. */
-const NOBODY = '<eml><body><null time="600"/></body></eml>';
 /** Controls that have a use of their own for keys. */
 const OWN_KEYS = 'input, select, textarea, button, a, summary, video, label, [role="gridcell"], raconteur-player';
 
@@ -131,11 +129,12 @@ function draw(): void {
   media.hidden = recordingName === '' || (media.readyState > 0 && media.videoWidth === 0);
   player.classList.toggle('mirrored', isMirrored);
   render(has ? tools() : nothing, places.tools);
-  const state: Opening = { hasAnnotation: has, recording: recordingName, mapping, refused };
+  const state: Opening = { hasAnnotation: has, recording: recordingName, mapping, closed: app.closed?.name ?? '', refused };
   render(
     opening(state, {
       files: (files) => void openFiles(files),
       example: () => void openExample(),
+      reopen: () => void app.reopen(),
       mapping: (text) => (mapping = text),
       removeRecording,
     }),
@@ -262,5 +261,5 @@ bench.addEventListener('drop', (event) => {
 });
 
 draw();
-if (!(await app.restore())) await player.rehearse(NOBODY).catch(() => undefined);
+await app.restore();
 app.run();

@@ -29,6 +29,8 @@ export interface Opening {
   /** Name of the recording. */
   readonly recording: string;
   readonly mapping: string;
+  /** Name of the annotation that was closed; empty if there is none. */
+  readonly closed: string;
   /** File that could not be opened, and why. */
   readonly refused: { readonly name: string; readonly problems: readonly Problem[] } | undefined;
 }
@@ -37,6 +39,7 @@ export interface Opening {
 export interface OpeningActions {
   files(files: Iterable<File>): void;
   example(): void;
+  reopen(): void;
   mapping(text: string): void;
   removeRecording(): void;
 }
@@ -59,7 +62,7 @@ const recordingButton = (open: (files: Iterable<File>) => void): TemplateResult 
 
 /** Renders what fills the place of the recording. */
 export function opening(state: Opening, actions: OpeningActions): TemplateResult {
-  const { hasAnnotation, recording, refused } = state;
+  const { hasAnnotation, recording, refused, closed } = state;
   const trouble = refused === undefined ? nothing : html`<div class="refused" role="alert">${refusal(refused.name, refused.problems)}</div>`;
   if (recording !== '') {
     return html`${trouble}<p class="named"><span>${recording}</span><button type="button" class="plain" @click=${() => actions.removeRecording()}>Remove</button></p>`;
@@ -73,6 +76,7 @@ export function opening(state: Opening, actions: OpeningActions): TemplateResult
     <p>Drop an annotation here, and with it its recording if you have one.</p>
     <div class="group">
       ${annotationButton((files) => actions.files(files), 'play')}
+      ${closed === '' ? nothing : html`<button type="button" class="plain" @click=${() => actions.reopen()}>Back to ${closed}</button>`}
       <button type="button" class="plain" @click=${() => actions.example()}>Try an example</button>
     </div>
     <p class="fine">Nothing is uploaded.</p>

@@ -137,10 +137,10 @@ function input(app: App, item: Item, field: Field, value: string | number | bool
           ${field.words.map((word) => html`<option value=${word} .selected=${live(word === value)}>${word}</option>`)}
         </select></label>`;
     case 'choice':
-      return html`<label class="check"><input type="checkbox" .checked=${live(value === true)} @change=${(event: Event) => set((event.target as HTMLInputElement).checked)} /><span>${label}</span></label>`;
+      return html`<label class="check wide"><input type="checkbox" .checked=${live(value === true)} @change=${(event: Event) => set((event.target as HTMLInputElement).checked)} /><span>${label}</span></label>`;
     default: {
       const isWrong = problems.some(({ severity }) => severity === 'error');
-      return html`<div class="select ${field.kind}">
+      return html`<div class="select wide ${field.kind === 'gsl' ? 'formal' : ''}">
         <label for=${id}>${label}</label>
         <input
           type="text"

@@ -41,8 +41,11 @@ export function problems(app: App, go: (item: Item, field: string | undefined) =
 /** Renders the problems of a file that could not be opened. */
 export function refusal(name: string, found: readonly Problem[]): TemplateResult {
   return html`<p class="error">${name} could not be opened.</p>
-    <ul>${listed(found, ({ start }) => (start === undefined ? nothing : html`<strong>Line ${start.line}, column ${start.column}</strong>`))}</ul>`;
+    <ul>${listed(byPlace(found), ({ start }) => (start === undefined ? nothing : html`<strong>Line ${start.line}, column ${start.column}</strong>`))}</ul>`;
 }
+
+/** Puts problems without a place, which follow from the others, last. */
+const byPlace = (found: readonly Problem[]): readonly Problem[] => [...found].sort((a, b) => Number(a.start === undefined) - Number(b.start === undefined));
 
 function listed(some: readonly Problem[], where: (problem: Problem) => unknown): TemplateResult {
   const left = some.length - MAX_LISTED;
