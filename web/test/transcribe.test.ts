@@ -125,7 +125,9 @@ test('arrow keys go along a track and to the nearest span of another', () => {
 
 test('only spans in view are drawn, and the selected one', () => {
   const [words] = tracksOf(sample());
-  expect(inView(words?.spans ?? [], 0.95, 1.1, at('words', 3)).map(({ label }) => label)).toEqual(['a', 'time']);
+  expect(inView(words?.spans ?? [], 0.95, 1.1, 0, at('words', 3)).map(({ label }) => label)).toEqual(['a', 'time']);
+  // From afar, short ones hide each other.
+  expect(inView(words?.spans ?? [], 0, 9, 0.35, undefined).map(({ label }) => label)).toEqual(['once', 'a', 'time']);
 });
 
 test('the time under the pointer stays there when the scale changes', () => {

@@ -11,10 +11,14 @@ import { isSame, type Item } from './types.js';
 
 /** Time by which a key moves an edge, seconds. */
 const STEP_SECS = 0.01;
+/** Scale at which most phases have room for their names, pixels per second. */
+const LEGIBLE_SCALE = 80;
 /** Factor of the zoom buttons and keys. */
 const ZOOM = 1.5;
 /** Width from which a span has edges to drag, pixels. */
 const EDGES_PX = 28;
+/** Width of a span below which others hide it, pixels. */
+const LEAST_PX = 2;
 /** Width from which a span has its text, pixels. */
 const LABEL_PX = 18;
 /** Share of the view after which it follows the needle during playback. */
@@ -25,7 +29,7 @@ export class Lanes {
   readonly #app: App;
   readonly #say: (text: string) => void;
   /** Pixels per second; undefined: the whole length in view. */
-  #scale: number | undefined;
+  #scale: number | undefined = LEGIBLE_SCALE;
   #name = '';
 
   constructor(app: App, scroller: HTMLElement, say: (text: string) => void) {
@@ -46,7 +50,7 @@ export class Lanes {
 
   get view(): AxisView {
     const width = Math.max(1, this.#scroller.clientWidth - this.#names);
-    const scale = this.#scale ?? fitted(this.#app.lengthSecs, width);
+    const scale = Math.max(this.#scale ?? 0, fitted(this.#app.lengthSecs, width));
     return { width, scale, from: this.#scroller.scrollLeft / scale };
   }
 
@@ -66,6 +70,7 @@ export class Lanes {
   /** Shows the whole length. */
   fit(): void {
     this.#scale = undefined;
+    this.#scroller.scrollLeft = 0;
     this.#draw();
   }
 
@@ -105,10 +110,10 @@ export class Lanes {
   // --- drawing ---
 
   draw(): void {
-    // A new annotation is seen whole.
+    // A short annotation is seen whole at first, and the beginning of a long one so that it can be read.
     if (this.#name !== this.#app.name) {
       this.#name = this.#app.name;
-      this.#scale = undefined;
+      this.#scale = LEGIBLE_SCALE;
       this.#scroller.scrollLeft = 0;
     }
     this.#draw();
@@ -153,7 +158,7 @@ export class Lanes {
   }
 
   #row(track: Track, view: AxisView, current: Item | undefined): TemplateResult {
-    const shown = inView(track.spans, view.from, toOf(view), current);
+    const shown = inView(track.spans, view.from, toOf(view), LEAST_PX / view.scale, current);
     return html`<div role="row">
       <span class="lane-name" role="rowheader" title=${track.name}>${track.name}</span>
       <div class="lane" role="presentation">
@@ -246,7 +251,7 @@ export class Lanes {
     } else if (event.key === 'Enter') {
       this.#app.select(item);
       // The panel has its fields before the focus goes there.
-      requestAnimationFrame(() => document.querySelector<HTMLElement>('#panel :is(input, select, textarea)')?.focus());
+      requestAnimationFrame(() => document.querySelector<HTMLElement>('#panel > :is(.select, .check) :is(input, select)')?.focus());
     } else if (event.key === '+' || event.key === '-') {
       this.zoom(event.key === '+' ? ZOOM : 1 / ZOOM);
     } else {

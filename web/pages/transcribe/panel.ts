@@ -12,7 +12,7 @@ import { isSame, type Item, type Problem } from './types.js';
 type Field = { readonly name: string; readonly label: string } & (
   | { readonly kind: 'list'; readonly words: readonly string[]; readonly isRequired?: boolean }
   | { readonly kind: 'number'; readonly words: readonly number[] }
-  | { readonly kind: 'gsl' | 'text' | 'choice'; readonly hint?: string }
+  | { readonly kind: 'gsl' | 'text' | 'choice'; readonly hint?: string; readonly isLong?: boolean }
 );
 
 const CONFIDENCE: Field = { kind: 'number', name: 'confidence', label: 'Confidence', words: [1, 2, 3, 4] };
@@ -45,11 +45,11 @@ function fieldsOf(app: App, kind: string, dimension: string | undefined): readon
     case 'phases':
       return [
         { kind: 'list', name: 'kind', label: 'Kind', words: lists.phases, isRequired: true },
-        { kind: 'gsl', name: 'motion', label: 'Motion', hint: '[[-7;12;12];[-9;20;12]]' },
+        { kind: 'gsl', name: 'handShapes', label: 'Hand shapes', hint: '24' },
+        { kind: 'gsl', name: 'palmOrientations', label: 'Palm orientations', hint: '[90;[0;1;0]]', isLong: true },
+        { kind: 'gsl', name: 'motion', label: 'Motion', hint: '[[-7;12;12];[-9;20;12]]', isLong: true },
         { kind: 'gsl', name: 'source', label: 'Source', hint: '[-7;12;12]' },
         { kind: 'gsl', name: 'target', label: 'Target', hint: '[-9;20;12]' },
-        { kind: 'gsl', name: 'handShapes', label: 'Hand shapes', hint: '24' },
-        { kind: 'gsl', name: 'palmOrientations', label: 'Palm orientations', hint: '[90;[0;1;0]]' },
         { kind: 'text', name: 'bodyShape', label: 'Body' },
       ];
     default:
@@ -90,8 +90,8 @@ export function panel(app: App): TemplateResult {
   const dimension = values['dimension'];
   const problems = app.problems.filter(({ item }) => item !== undefined && isSame(item, span.item));
   const fields = fieldsOf(app, kind, typeof dimension === 'string' ? dimension : undefined);
-  return html`<h2>${TITLES[kind]} ${span.item.index + 1}</h2>
-    <div class="times">${time(app, span, 'start')} ${time(app, span, 'end')}<span class="fine">${(span.end - span.start).toFixed(2)} s long</span></div>
+  return html`<h2>${TITLES[kind]} ${span.item.index + 1}, ${(span.end - span.start).toFixed(2)} s</h2>
+    <div class="times">${time(app, span, 'start')} ${time(app, span, 'end')}</div>
     ${fields.map((field) =>
       input(
         app,
@@ -140,7 +140,7 @@ function input(app: App, item: Item, field: Field, value: string | number | bool
       return html`<label class="check wide"><input type="checkbox" .checked=${live(value === true)} @change=${(event: Event) => set((event.target as HTMLInputElement).checked)} /><span>${label}</span></label>`;
     default: {
       const isWrong = problems.some(({ severity }) => severity === 'error');
-      return html`<div class="select wide ${field.kind === 'gsl' ? 'formal' : ''}">
+      return html`<div class="select ${field.kind === 'gsl' ? 'formal' : 'wide'} ${field.isLong ? 'wide' : ''}">
         <label for=${id}>${label}</label>
         <input
           type="text"

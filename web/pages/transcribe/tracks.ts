@@ -142,7 +142,15 @@ export function nearest(spans: readonly Span[], secs: number): Item | undefined 
   return spans.reduce<Span | undefined>((best, span) => (best === undefined || far(span) < far(best) ? span : best), undefined)?.item;
 }
 
-/** Returns the spans of a track that are in view, with the selected one, which keeps the focus. */
-export function inView(spans: readonly Span[], from: number, to: number, kept: Item | undefined): Span[] {
-  return spans.filter((span) => (span.end >= from && span.start <= to) || isSame(span.item, kept));
+/**
+ * Returns the spans of a track that are in view, with the selected one, which keeps the focus. Of spans shorter than `least` seconds that begin within this
+ * time, one stands for all.
+ */
+export function inView(spans: readonly Span[], from: number, to: number, least: number, kept: Item | undefined): Span[] {
+  let last = -Infinity;
+  return spans.filter(({ item, start, end }) => {
+    const isShown = end >= from && start <= to && (end - start >= least || start - last >= least);
+    if (isShown) last = start;
+    return isShown || isSame(item, kept);
+  });
 }
