@@ -213,7 +213,7 @@ test('of a long recording, only what is in view is drawn', async ({ stage, page 
   expect(stage.backend).toBe('page');
   await open(page);
   await openFile(page, 'long.anvil', long());
-  await expect(page.locator('#counts')).toContainText('300 gestures');
+  await expect(page.locator('#counts')).toContainText('479.9 s');
   expect(await cells(page).count()).toBeLessThan(60);
   await cells(page).last().click();
   await page.keyboard.press('End');
@@ -236,7 +236,7 @@ for (const look of LOOKS) {
     await page.getByRole('button', { name: 'Try an example' }).click();
     await expect(cells(page).first()).toBeVisible();
     await expectNoBarriers(page, 'opened');
-    for (const track of ['Phases, layer1: stroke', 'Phrases, layer2: iconic', 'Gestures: gesticulation']) {
+    for (const track of ['Phases, layer1: stroke', 'Phrases, layer1: iconic', 'Gestures: gesticulation']) {
       await cell(page, new RegExp(`^${track}`))
         .first()
         .click();

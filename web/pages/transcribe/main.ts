@@ -4,6 +4,7 @@ import '../player.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { check, choice } from '../fields.js';
 import { FIGURES } from '../figures.js';
+import { sides } from '../sides.js';
 import { byId, findPlayer, onUndoKeys, save } from '../workbench.js';
 import { Annotations } from './annotate.js';
 import { App } from './app.js';
@@ -174,6 +175,7 @@ function seen(): TemplateResult {
       <select @change=${(event: Event) => (player.figure = (event.target as HTMLSelectElement).value)}>
         ${Object.entries(FIGURES).map(([id, name]) => html`<option value=${id} .selected=${id === (player.figure ?? player.currentFigure)}>${name}</option>`)}
       </select></label>
+    <span class="select">${sides(player, () => app.redraw())}</span>
     ${check('As in a mirror', isMirrored, (on) => {
       isMirrored = on;
       app.redraw();
