@@ -192,6 +192,10 @@ test('the figure follows the recording, though its hands need a run-up', async (
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   const recording = (): Promise<number> => page.locator('#media').evaluate((media: HTMLMediaElement) => media.currentTime);
   await expect.poll(recording).toBeGreaterThan(1.2);
+  // Both clocks are read at once.
+  const apart = (): Promise<number> =>
+    player.evaluate((p: RaconteurPlayer) => Math.abs(p.currentTime - 0.6 - (document.querySelector<HTMLMediaElement>('#media')?.currentTime ?? NaN)));
+  await expect.poll(apart).toBeLessThan(0.05);
   expect(await player.evaluate((p: RaconteurPlayer) => p.muted)).toBe(true);
   await page.getByRole('button', { name: 'Pause', exact: true }).click();
   await seek(page, 1.25);

@@ -1,8 +1,8 @@
 /** Storage of the text, which survives a reload in the same tab. */
 
-import { Kept } from '../kept.js';
+import { StoredText } from '../stored-text.js';
 
-const text = new Kept('raconteur.gestures', () => sessionStorage);
+const text = new StoredText('raconteur.gestures', () => sessionStorage);
 
 /** Stores a text. Without storage only the restoration after a reload is lost. */
 export function remember(value: string): void {

@@ -18,7 +18,7 @@ const ZOOM = 1.5;
 /** Width from which a span has edges to drag, pixels. */
 const EDGES_PX = 28;
 /** Width of a span below which others hide it, pixels. */
-const LEAST_PX = 2;
+const MIN_PX = 2;
 /** Width from which a span has its text, pixels. */
 const LABEL_PX = 18;
 /** Share of the view after which it follows the needle during playback. */
@@ -158,7 +158,7 @@ export class Lanes {
   }
 
   #row(track: Track, view: AxisView, current: Item | undefined): TemplateResult {
-    const shown = inView(track.spans, view.from, toOf(view), LEAST_PX / view.scale, current);
+    const shown = inView(track.spans, view.from, toOf(view), MIN_PX / view.scale, current);
     return html`<div role="row">
       <span class="lane-name" role="rowheader" title=${track.name}>${track.name}</span>
       <div class="lane" role="presentation">

@@ -1,9 +1,9 @@
 /** Storage of the annotation, which survives a reload and the end of the browser. A recording is not stored. */
 
-import { Kept } from '../kept.js';
+import { StoredText } from '../stored-text.js';
 import type { Transcription } from './types.js';
 
-const annotation = new Kept('raconteur.transcribe', () => localStorage);
+const annotation = new StoredText('raconteur.transcribe', () => localStorage);
 
 export interface Remembered {
   /** Name of the file, without its ending. */

@@ -1,4 +1,4 @@
-/** The place of the recording: what to open, and the recording itself once there is one. */
+/** The place of the recording: files to open, and the recording itself once there is one. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { refusal } from './problems.js';
@@ -6,17 +6,17 @@ import type { Problem } from './types.js';
 
 /** Endings of recordings whose type a system does not know. */
 const RECORDINGS = /\.(mp4|m4v|mov|webm|ogv|mkv|avi|mpe?g|mp3|m4a|wav|ogg|oga|opus|flac)$/i;
-/** What a file dialogue offers. */
+/** Endings that a file dialogue offers. */
 const ANNOTATIONS = '.anvil,.eaf,.xml';
 
 /** Files that a visitor chose or dropped. */
-export interface Chosen {
+export interface ChosenFiles {
   readonly annotation: File | undefined;
   readonly recording: File | undefined;
 }
 
 /** Tells recordings and annotations apart. */
-export function chosen(files: Iterable<File>): Chosen {
+export function chosen(files: Iterable<File>): ChosenFiles {
   const all = [...files];
   const isRecording = ({ type, name }: File): boolean => /^(video|audio)\//.test(type) || RECORDINGS.test(name);
   return { annotation: all.find((file) => !isRecording(file)), recording: all.find(isRecording) };
@@ -60,7 +60,7 @@ export const annotationButton = (open: (files: Iterable<File>) => void, classes?
 
 const recordingButton = (open: (files: Iterable<File>) => void): TemplateResult => fileButton('Open a recording…', 'video/*,audio/*', open);
 
-/** Renders what fills the place of the recording. */
+/** Renders the content of the place of the recording. */
 export function opening(state: Opening, actions: OpeningActions): TemplateResult {
   const { hasAnnotation, recording, refused, closed } = state;
   const trouble = refused === undefined ? nothing : html`<div class="refused" role="alert">${refusal(refused.name, refused.problems)}</div>`;

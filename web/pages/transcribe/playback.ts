@@ -7,12 +7,16 @@ import { delayOf } from '../run-up.js';
 const APART_SECS = 0.04;
 /** Time that the figure has to show a frame it was set to, before it is compared again, ms. */
 const SETTLE_MS = 300;
+/** Maximum time by which the figure is set ahead of the recording, because it needs some time to begin there, seconds. */
+const MAX_AHEAD_SECS = 0.3;
 
 export class Playback {
   /** Delay of the figure relative to the recording, for its hands to reach the first gesture. */
   #delaySecs = 0;
   #recording: HTMLMediaElement | undefined;
   #setMs = -Infinity;
+  /** Time by which the figure is set ahead while it plays: what it was last late by. */
+  #aheadSecs = 0;
   #rate = 1;
 
   constructor(
@@ -30,8 +34,9 @@ export class Playback {
     const { secs } = this;
     this.pause();
     this.#recording = recording;
-    // Two voices of the same words are not understood.
+    // Two voices of the same words are not understood, and the recording does not wait for one to be made.
     this.player.muted = recording !== undefined;
+    this.player.speech = recording === undefined ? 'here' : 'browser';
     if (recording !== undefined) recording.playbackRate = this.#rate;
     this.secs = secs;
   }
@@ -72,6 +77,7 @@ export class Playback {
 
   set rate(rate: number) {
     this.#rate = rate;
+    this.#aheadSecs = 0;
     this.player.playbackRate = rate;
     if (this.#recording !== undefined) this.#recording.playbackRate = rate;
   }
@@ -105,7 +111,10 @@ export class Playback {
     const to = recording.currentTime + this.#delaySecs;
     // After its last clause the figure stands still.
     if (!(to < player.duration) || performance.now() - this.#setMs < SETTLE_MS) return;
-    if (Math.abs(player.currentTime - to) > APART_SECS) this.#setFigure(recording.currentTime);
+    const late = to - player.currentTime;
+    if (Math.abs(late) <= APART_SECS) return;
+    if (!recording.paused) this.#aheadSecs = Math.min(MAX_AHEAD_SECS, Math.max(0, this.#aheadSecs + late));
+    this.#setFigure(recording.currentTime + (recording.paused ? 0 : this.#aheadSecs));
   }
 
   #setFigure(secs: number): void {

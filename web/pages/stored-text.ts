@@ -1,6 +1,6 @@
 /** Values that a page keeps in the browser's storage, if the browser provides any. */
 
-export class Kept {
+export class StoredText {
   readonly #key: string;
   readonly #storage: () => Storage;
 
