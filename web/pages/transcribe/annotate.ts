@@ -20,15 +20,8 @@ interface Instance {
 }
 
 export class Annotations {
-  private constructor(
-    readonly module: WebAssembly.Module,
-    private instance: Instance,
-  ) {}
-
-  static async load(): Promise<Annotations> {
-    const module = await fetchModule(new URL(wasmUrl, SCRIPT), { what: 'The part that reads annotations', most: MAX_BYTES });
-    return new Annotations(module, await begin(module));
-  }
+  #module: Promise<WebAssembly.Module> | undefined;
+  #instance: Promise<Instance> | undefined;
 
   /** Reads a file; without a mapping, the tiers of ELAN are guessed. */
   open(bytes: Uint8Array, mapping: string | undefined): Promise<Opened> {
@@ -51,21 +44,30 @@ export class Annotations {
     return this.#use((instance) => instance.lists());
   }
 
-  /** Returns the result of the instance. A panic's message becomes the error, and the next call has a fresh instance. */
+  /** Returns the result of the instance, which the first call fetches. A panic's message becomes the error, and the next call has a fresh instance. */
   async #use<T>(work: (instance: Instance) => T): Promise<T> {
+    const instance = await (this.#instance ??= this.#begin());
     try {
-      return work(this.instance);
+      return work(instance);
     } catch (error) {
       if (!(error instanceof WebAssembly.RuntimeError)) throw error;
-      const panic = this.instance.panicMessage();
-      this.instance = await begin(this.module);
+      this.#instance = undefined;
+      const panic = instance.panicMessage();
       throw panic === undefined ? error : new Error(panic, { cause: error });
     }
   }
-}
 
-async function begin(module: WebAssembly.Module): Promise<Instance> {
-  const instance = instantiate() as unknown as Instance;
-  await instance({ module_or_path: module });
-  return instance;
+  async #begin(): Promise<Instance> {
+    try {
+      this.#module ??= fetchModule(new URL(wasmUrl, SCRIPT), { what: 'The part that reads annotations', most: MAX_BYTES });
+      const instance = instantiate() as unknown as Instance;
+      await instance({ module_or_path: await this.#module });
+      return instance;
+    } catch (error) {
+      // The next call fetches it again.
+      this.#module = undefined;
+      this.#instance = undefined;
+      throw error;
+    }
+  }
 }

@@ -25,6 +25,8 @@ export class App {
   /** Problems of the file that the transcription no longer shows: what was lost. */
   lost: readonly Problem[] = [];
   statistics: Statistics | undefined;
+  /** Words of the closed lists, once an annotation is open. */
+  lists: Lists = { levels: [], classes: [], phases: [], dimensions: [], hands: [], viewpoints: [] };
   anchoring: Anchoring = 'words';
   /** The annotation that was closed last. */
   closed: Remembered | undefined;
@@ -38,7 +40,6 @@ export class App {
 
   constructor(
     readonly annotations: Annotations,
-    readonly lists: Lists,
     readonly playback: Playback,
     readonly draw: () => void,
     /** Called at each frame while something plays. */
@@ -64,17 +65,17 @@ export class App {
   /** Restores the annotation of the last visit, if there is one. */
   async restore(): Promise<void> {
     const last = remembered();
+    this.#empty();
     try {
-      if (last === undefined) this.close();
-      else await this.#begin(last.name, { transcription: last.transcription, text: '', diagnostics: [] });
+      if (last !== undefined) await this.#begin(last.name, { transcription: last.transcription, text: '', diagnostics: [] });
     } catch {
-      // The stored data is of another version.
-      this.close();
+      // The reader was not fetched, or the data is of another version. It stays in the storage, in case that changes.
     }
   }
 
   async #begin(name: string, { transcription, diagnostics }: Opened): Promise<void> {
     const { diagnostics: now } = await this.annotations.toEml(transcription, 'seconds');
+    this.lists = await this.annotations.lists();
     const isKnown = (problem: Problem): boolean => now.some((other) => other.code === problem.code && other.message === problem.message);
     this.name = name;
     this.lost = diagnostics.filter((problem) => !isKnown(problem));
@@ -90,6 +91,10 @@ export class App {
   close(): void {
     forget();
     if (this.transcription !== undefined) this.closed = { name: this.name, transcription: this.transcription };
+    this.#empty();
+  }
+
+  #empty(): void {
     clearTimeout(this.#pause);
     this.playback.pause();
     this.playback.player.rehearse(EMPTY).catch(() => undefined);

@@ -43,9 +43,11 @@ const say = (text: string): void => {
   places.status.textContent = text;
 };
 
-const annotations = await Annotations.load();
+const annotations = new Annotations();
+// It is fetched while the visitor looks for a file; a failure shows when the file is opened.
+annotations.lists().catch(() => undefined);
 const playback = new Playback(player, () => say('The browser allows playback only after a click.'));
-const app = new App(annotations, await annotations.lists(), playback, draw, () => {
+const app = new App(annotations, playback, draw, () => {
   drawTransport();
   lanes.keepUp();
 });
