@@ -77,7 +77,7 @@ await main(async () => {
     const other = backend === 'webgpu' ? 'webgl' : 'webgpu';
     measure(backend, reach(entry, new RegExp(`^(${apart.join('|')}|${other})-`)), budget);
   }
-  measure('annotate', named(/^annotate-/), 250);
+  measure('annotate', named(/^annotate-/), 400);
   measure('avatar', named(/^avatar-/), 250);
   measure('faces', named(/^faces-.*wasm$/), 250);
   measure('say', named(/^(say|here|flite-worker)-/), 1300);
