@@ -129,10 +129,11 @@ function draw(): void {
   bench.classList.toggle('empty', !has);
   bench.classList.toggle('recorded', recordingName !== '');
   // Sound alone has no picture.
-  media.hidden = recordingName === '' || (media.readyState > 0 && media.videoWidth === 0);
+  const isSound = media.readyState > 0 && media.videoWidth === 0;
+  media.hidden = recordingName === '' || isSound;
   player.classList.toggle('mirrored', isMirrored);
   render(has ? tools() : nothing, places.tools);
-  const state: Opening = { hasAnnotation: has, recording: recordingName, mapping, closed: app.closed?.name ?? '', refused };
+  const state: Opening = { hasAnnotation: has, recording: recordingName, isSound, mapping, closed: app.closed?.name ?? '', refused };
   render(
     opening(state, {
       files: (files) => void openFiles(files),

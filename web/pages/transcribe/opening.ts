@@ -28,6 +28,8 @@ export interface Opening {
   readonly hasAnnotation: boolean;
   /** Name of the recording. */
   readonly recording: string;
+  /** True if it has no picture. */
+  readonly isSound: boolean;
   readonly mapping: string;
   /** Name of the annotation that was closed; empty if there is none. */
   readonly closed: string;
@@ -62,10 +64,10 @@ const recordingButton = (open: (files: Iterable<File>) => void): TemplateResult 
 
 /** Renders the content of the place of the recording. */
 export function opening(state: Opening, actions: OpeningActions): TemplateResult {
-  const { hasAnnotation, recording, refused, closed } = state;
+  const { hasAnnotation, recording, isSound, refused, closed } = state;
   const trouble = refused === undefined ? nothing : html`<div class="refused" role="alert">${refusal(refused.name, refused.problems)}</div>`;
   if (recording !== '') {
-    return html`${trouble}<p class="named"><span>${recording}</span><button type="button" class="plain" @click=${() => actions.removeRecording()}>Remove</button></p>`;
+    return html`${trouble}${isSound ? html`<div class="drop">Sound without a picture</div>` : nothing}<p class="named"><span>${recording}</span><button type="button" class="plain" @click=${() => actions.removeRecording()}>Remove</button></p>`;
   }
   const note = 'It stays on your machine and is not kept: open it again after a reload.';
   if (hasAnnotation) {

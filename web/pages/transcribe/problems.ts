@@ -9,8 +9,8 @@ import type { Item, Problem } from './types.js';
 /** Problems that are listed in a group; the rest is counted. */
 const MAX_LISTED = 12;
 
-/** Codes of notes on what was filled in. */
-const FILLED_IN = /^gestura::(no-|informal|gap)/;
+/** Codes of notes on what was filled in or assumed. */
+const FILLED_IN = /^(gestura::(no-|informal|gap)|elan::guess)/;
 
 interface Group {
   readonly title: string;
@@ -23,7 +23,7 @@ function groups(problems: readonly Problem[]): readonly Group[] {
   return [
     of('Errors', ({ severity }) => severity === 'error'),
     of('Against the rules of GestuRA', (problem) => problem.severity === 'warning' && !isFilledIn(problem)),
-    of('Missing, so filled in', isFilledIn),
+    of('Missing, so filled in or assumed', isFilledIn),
   ].filter(({ problems: some }) => some.length > 0);
 }
 
