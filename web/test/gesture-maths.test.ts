@@ -4,6 +4,7 @@ import { expect, test } from 'vitest';
 import type { PalmFunctions } from '../element/engine/backend.js';
 import { cross, dot, Lens, type Vector } from '../element/engine/pose.js';
 import type { Vector3 } from '../pages/gestures/gesture.js';
+import { ORIENTATIONS, orientationName, orientationOf } from '../pages/gestures/orientations.js';
 import { Palms } from '../pages/gestures/palm.js';
 import { wayAt } from '../pages/gestures/profile.js';
 import { roll, twist } from '../pages/gestures/roll.js';
@@ -133,3 +134,27 @@ test('a point is projected to the canvas and back, and by the matrix, too', () =
   expect(lens.project([0, 1, 9], width, height)).toBeUndefined();
   expect(lens.unproject({ x: 250, y: 200 }, width, height, [0, 0, 0], lens.right)).toBeUndefined();
 });
+
+test(
+  'typical orientations of both hands point where their names say',
+  async () => {
+    const palms = await openPalms();
+    // The pages' words for directions, in the engine's axes.
+    const words: Readonly<Record<string, Vector3>> = { left: LEFT!, right: RIGHT!, up: UP!, down: DOWN!, front: FRONT!, listener: FRONT!, speaker: BACK! };
+    for (const [name, known] of Object.entries(ORIENTATIONS)) {
+      const said = /(?:^|[:\s])(?:to the )?(left|right|up|down|listener|speaker), fingers (\w+)$/i.exec(name);
+      expect(said, name).not.toBeNull();
+      const [palm, fingers] = [words[said![1]!.toLowerCase()]!, words[said![2]!]!];
+      for (const hand of ['right', 'left'] as const) {
+        const { normal, angle } = orientationOf(hand, known);
+        const side = ([x, y, z]: Vector3): Vector3 => (hand === 'left' ? [-x, y, z] : [x, y, z]);
+        const found = palms.directionsOf(hand, normal, angle);
+        near(found.normal, side(palm));
+        near(found.fingers, side(fingers));
+        expect(orientationName(hand, { normal, angle: angle + 360 })).toBe(name);
+      }
+    }
+    expect(orientationName('right', { normal: [0.6, 0.8, 0], angle: 90 })).toBeUndefined();
+  },
+  COMPILE_MS,
+);

@@ -5,7 +5,7 @@ use raconteur_eml::{Diagnostic, Document, quoted, thinned};
 use crate::elan::{self, Mapping};
 use crate::gestura::{Transcription, check};
 use crate::xml::{self, Element};
-use crate::{Anchoring, anvil, encoding, to_eml};
+use crate::{Anchoring, anvil, bml, encoding, sigml, to_eml};
 
 /// Format of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,21 +14,29 @@ pub enum Format {
     Anvil,
     /// Annotation of ELAN.
     Elan,
+    /// Behavior Markup Language: a block, or an element that contains blocks.
+    Bml,
+    /// Signing Gesture Markup Language.
+    Sigml,
 }
 
 impl Format {
     /// Formats with the root element of their files.
-    const ROOTS: [(Self, &'static str); 2] = [
+    const ROOTS: [(Self, &'static str); 4] = [
         (Self::Anvil, "annotation"),
         (Self::Elan, "ANNOTATION_DOCUMENT"),
+        (Self::Bml, bml::ROOT),
+        (Self::Sigml, "sigml"),
     ];
 
-    /// Returns the format of a file by its root element.
+    /// Returns the format of a file by its root element. Any other element with blocks of BML in it
+    /// is BML.
     #[must_use]
     pub fn from_root(root: &Element) -> Option<Self> {
         let mut roots = Self::ROOTS.iter();
-        let found = roots.find(|(_, name)| root.name.eq_ignore_ascii_case(name))?;
-        Some(found.0)
+        let found = roots.find(|(_, name)| root.name.eq_ignore_ascii_case(name));
+        let has_blocks = || root.child(bml::ROOT).map(|_| Self::Bml);
+        found.map(|(format, _)| *format).or_else(has_blocks)
     }
 }
 
@@ -48,27 +56,30 @@ pub struct Read {
 #[must_use]
 pub fn read_transcription(bytes: &[u8], mapping: Option<&Mapping>) -> Read {
     let (text, mut problems) = encoding::decode(bytes);
-    let transcription = xml::parse(&text, &mut problems)
-        .and_then(|root| transcription(&root, mapping, &mut problems))
-        .unwrap_or_default();
-    problems.extend(check(&transcription));
+    let transcription = xml::parse(&text, &mut problems).and_then(|root| {
+        let read = transcription(&root, mapping, &mut problems);
+        if read.is_none() && Format::from_root(&root).is_some() {
+            let message = "the file is a script, not a transcription";
+            problems.push(Diagnostic::error("annotate::format", root.tag, message));
+        }
+        read
+    });
     Read {
         text,
-        transcription,
+        transcription: transcription.unwrap_or_default(),
         diagnostics: thinned(problems),
     }
 }
 
+/// Reads a transcription from the root of its file; `None` if the format is of scripts. An unknown
+/// format is reported.
 fn transcription(
     root: &Element,
     mapping: Option<&Mapping>,
     problems: &mut Vec<Diagnostic>,
 ) -> Option<Transcription> {
-    match Format::from_root(root) {
-        Some(Format::Anvil) => {
-            let annotation = anvil::read(root, problems);
-            Some(anvil::to_transcription(&annotation, problems))
-        }
+    let annotation = match Format::from_root(root) {
+        Some(Format::Anvil) => anvil::read(root, problems),
         Some(Format::Elan) => {
             let elan = elan::read(root, problems);
             let guessed = mapping.is_none().then(|| elan::guess(&elan));
@@ -77,16 +88,20 @@ fn transcription(
                 problems.push(Diagnostic::warning("elan::guess", root.tag, message));
             }
             let mapping = mapping.or(guessed.as_ref().map(|(mapping, _)| mapping))?;
-            let annotation = elan::to_annotation(&elan, mapping, problems);
-            Some(anvil::to_transcription(&annotation, problems))
+            elan::to_annotation(&elan, mapping, problems)
         }
+        Some(Format::Bml | Format::Sigml) => return None,
         None => {
             let message = format!("{} is not the root of a known format", quoted(&root.name));
-            let hint = "files of ANVIL start with `annotation`, of ELAN with `ANNOTATION_DOCUMENT`";
+            let hint = "files of ANVIL start with `annotation`, of ELAN with \
+                        `ANNOTATION_DOCUMENT`, BML with `bml`, SiGML with `sigml`";
             problems.push(Diagnostic::error("annotate::format", root.tag, message).hint(hint));
-            None
+            return None;
         }
-    }
+    };
+    let transcription = anvil::to_transcription(&annotation, problems);
+    problems.extend(check(&transcription));
+    Some(transcription)
 }
 
 /// Result of an import.
@@ -100,17 +115,27 @@ pub struct Imported {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Converts a file in any of the formats to a script. The mapping is that of
-/// [`read_transcription`].
+/// Converts a file in any of the formats to a script. Mapping and anchoring are those of
+/// transcriptions.
 #[must_use]
 pub fn import(bytes: &[u8], mapping: Option<&Mapping>, anchoring: Anchoring) -> Imported {
-    let read = read_transcription(bytes, mapping);
-    let (document, problems) = to_eml(&read.transcription, anchoring);
-    let mut diagnostics = read.diagnostics;
-    diagnostics.extend(problems);
+    let (text, mut problems) = encoding::decode(bytes);
+    let root = xml::parse(&text, &mut problems);
+    let document = root.map_or_else(Document::default, |root| match Format::from_root(&root) {
+        Some(Format::Bml) => bml::convert(&root, &mut problems),
+        Some(Format::Sigml) => sigml::convert(&root, &mut problems),
+        Some(Format::Anvil | Format::Elan) | None => {
+            let read = transcription(&root, mapping, &mut problems);
+            read.map_or_else(Document::default, |transcription| {
+                let (document, more) = to_eml(&transcription, anchoring);
+                problems.extend(more);
+                document
+            })
+        }
+    });
     Imported {
-        text: read.text,
+        text,
         document,
-        diagnostics: thinned(diagnostics),
+        diagnostics: thinned(problems),
     }
 }

@@ -11,6 +11,10 @@ pub(crate) const GESTURES: &str = "gestures";
 pub(crate) const TYPE: &str = "type";
 pub(crate) const CONFIDENCE: &str = "confidence-level";
 pub(crate) const ANIMATION: &str = "animation";
+/// Group of the tracks of prosody, each named after an element of EML.
+pub(crate) const PROSODY: &str = "prosody";
+/// Group of the tracks of events on stage, likewise.
+pub(crate) const STAGING: &str = "staging";
 pub(crate) const PHASES: &str = "gesticulation.phases";
 pub(crate) const PHASE: &str = "phase";
 pub(crate) const SOURCE: &str = "source";

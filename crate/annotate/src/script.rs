@@ -1,7 +1,7 @@
 //! Scripts under construction, and their times.
 
 use raconteur_eml::{
-    Clause, ClauseId, ClauseKind, Diagnostic, Document, Name, NameTerm, Span, TimeExpr,
+    Clause, ClauseId, ClauseKind, Diagnostic, Document, Group, Name, NameTerm, Span, TimeExpr,
 };
 
 /// Script under construction, with the problems met on the way.
@@ -9,10 +9,12 @@ use raconteur_eml::{
 pub(crate) struct Builder {
     pub(crate) document: Document,
     pub(crate) problems: Vec<Diagnostic>,
+    /// Open groups, the innermost last.
+    open: Vec<ClauseId>,
 }
 
 impl Builder {
-    /// Adds a clause to the body.
+    /// Adds a clause to the innermost open group, else to the body.
     pub(crate) fn push(&mut self, start: TimeExpr, kind: ClauseKind) {
         self.push_named(start, None, kind);
     }
@@ -26,10 +28,33 @@ impl Builder {
             tag_span: Span::default(),
             start,
             time_id,
-            parent: None,
+            parent: self.open.last().copied(),
             kind,
         });
-        self.document.roots.push(id);
+        match self.group() {
+            Some(group) => group.children.push(id),
+            None => self.document.roots.push(id),
+        }
+    }
+
+    fn group(&mut self) -> Option<&mut Group> {
+        let id = self.open.last()?.index();
+        match &mut self.document.clauses.get_mut(id)?.kind {
+            ClauseKind::Seq(group) | ClauseKind::Par(group) => Some(group),
+            _ => None,
+        }
+    }
+
+    /// Adds a seq or par at the start of its group; clauses belong to it until it is closed.
+    pub(crate) fn open(&mut self, time_id: Option<Name>, kind: ClauseKind) {
+        let id = ClauseId(u32::try_from(self.document.clauses.len()).unwrap_or(u32::MAX));
+        self.push_named(seconds(0.0), time_id, kind);
+        self.open.push(id);
+    }
+
+    /// Closes the innermost open group.
+    pub(crate) fn close(&mut self) {
+        self.open.pop();
     }
 
     /// Reports how something missing was filled in.
@@ -62,4 +87,15 @@ pub(crate) fn after(name: Name, secs: f64) -> TimeExpr {
 /// Rounds to microseconds, so that differences do not fill scripts with digits.
 pub(crate) fn rounded(secs: f64) -> f64 {
     (secs * 1e6).round() / 1e6
+}
+
+/// Returns a text without the characters that XML forbids. Byte offsets stay the same.
+pub(crate) fn permitted(text: &str) -> String {
+    let replaced = |c: char| match c {
+        '\t' | '\n' | '\r' => c,
+        '\0'..' ' => ' ',
+        '\u{fffe}' | '\u{ffff}' => char::REPLACEMENT_CHARACTER,
+        _ => c,
+    };
+    text.chars().map(replaced).collect()
 }

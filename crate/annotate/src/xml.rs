@@ -30,6 +30,8 @@ pub struct Element {
     pub children: Vec<Element>,
     /// Character data directly inside, without that of children.
     pub text: Text,
+    /// Byte offset in the text of the parent at which the element stands.
+    pub position: usize,
 }
 
 /// Attribute of an element.
@@ -245,7 +247,9 @@ impl<'a> Builder<'a> {
                 }),
             });
         }
+        let position = self.open.last().map_or(0, |open| open.text.value.len());
         self.open.push(Element {
+            position,
             name: tag.local_name().into_inner().to_owned(),
             tag: span(start, end),
             attributes,
@@ -292,7 +296,12 @@ impl<'a> Builder<'a> {
         let Some(mut element) = self.open.pop() else {
             return;
         };
+        let white = element.text.value.len() - element.text.value.trim_start().len();
         element.text = trimmed(element.text);
+        for child in &mut element.children {
+            let position = child.position.saturating_sub(white);
+            child.position = position.min(element.text.value.len());
+        }
         match self.open.last_mut() {
             Some(parent) => parent.children.push(element),
             // Only the first root counts.

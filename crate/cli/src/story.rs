@@ -21,7 +21,7 @@ pub(crate) const USUAL_FIGURE: &str = "sofia";
 /// The largest story file that is read, bytes; the parser's own limit is lower.
 const MAX_STORY_BYTES: u64 = 64 << 20;
 /// The largest description of a speech bundle that is read, bytes.
-const MAX_BUNDLE_BYTES: u64 = 256 << 20;
+pub(crate) const MAX_BUNDLE_BYTES: u64 = 256 << 20;
 /// The largest figure that is read, bytes.
 const MAX_FIGURE_BYTES: u64 = 512 << 20;
 

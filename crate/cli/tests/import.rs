@@ -2,19 +2,21 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 use proptest::prelude::*;
 use raconteur_annotate::gestura::{
-    Dimension, Form, Hands, Interval, Layer, Meaning, Noted, Phase, PhaseKind, Phrase,
+    Dimension, Form, Hands, Interval, Layer, Meaning, Noted, Phase, PhaseKind, Phrase, Statistics,
     Transcription, Word,
 };
 use raconteur_annotate::gsl::{self, Palm, Shape};
-use raconteur_annotate::{Anchoring, anvil, import};
+use raconteur_annotate::{Anchoring, anvil, import, read_transcription};
 use raconteur_base::{Length as _, Side};
 use raconteur_body::Bone;
 use raconteur_body::read::read_figure;
 use raconteur_eml::{ClauseKind, Severity, Span, write};
 use raconteur_player::{LoadedPlayer, Options, Player, StoryInput};
+use raconteur_tier::is_long;
 
 /// Tolerance of phase times, seconds.
 const LATE_SECS: f64 = 0.02;
@@ -28,7 +30,7 @@ fn noted<F: gsl::Feature>(text: &str) -> Option<Noted<F>> {
 type Drawn = (f64, [f64; 3], [[f64; 3]; 2], u8, Hands);
 
 fn drawn() -> impl Strategy<Value = Vec<Drawn>> {
-    let place = || (3.0..14.0, 6.0..22.0, 11.0..14.0);
+    let place = || (4.0..14.0, 8.0..22.0, 13.0..15.0);
     let gesture = (
         0.1..1.2,
         (0.6..0.9, 0.35..0.8, 0.6..1.0),
@@ -128,11 +130,15 @@ fn transcription(gestures: &[Drawn]) -> Transcription {
 
 /// A player of a figure without idle motion, so that only the script moves it.
 fn player(eml: &str, figure: &str) -> LoadedPlayer {
+    load(eml, None, figure)
+}
+
+fn load(eml: &str, bundle: Option<&[u8]>, figure: &str) -> LoadedPlayer {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/figures");
     let bytes = fs::read(path.join(format!("{figure}.glb"))).expect("the figure");
     Player::load(StoryInput {
         eml,
-        bundle: None,
+        bundle,
         figure: read_figure(figure, &bytes).expect("a figure").into(),
         options: Options {
             motion_amount: 0.0,
@@ -252,5 +258,135 @@ proptest! {
             let mark = mark.expect("the mark of the word");
             prop_assert!((stroke.start_secs - mark).abs() < 1e-6, "{} after {mark}", stroke.start_secs);
         }
+    }
+}
+
+/// The gate measures one of this many gestures.
+const SAMPLED: usize = 9;
+
+/// Stories whose source is an annotation.
+const TOLD: [&str; 2] = ["papous/the-white-rabbit", "papous/o-coelhinho-branco"];
+
+fn shipped(story: &str, file: &str) -> Vec<u8> {
+    let stories = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/stories");
+    let path = stories.join(story).join(file);
+    fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+#[test]
+fn the_script_of_a_told_story_is_that_of_its_annotation() {
+    for story in TOLD {
+        let folder = tempfile::tempdir().expect("a folder");
+        let voice = folder.path().join("voice");
+        fs::create_dir(&voice).expect("a folder");
+        let bundle = shipped(story, "voice/speech.json");
+        fs::write(voice.join("speech.json"), bundle).expect("the bundle is written");
+        let annotation = folder.path().join("annotation.anvil");
+        fs::write(&annotation, shipped(story, "annotation.anvil")).expect("a file is written");
+        let script = folder.path().join("story.eml");
+        let out = Command::new(env!("CARGO_BIN_EXE_raconteur"))
+            .arg("import")
+            .arg(&annotation)
+            .arg("-o")
+            .arg(&script)
+            .output()
+            .expect("the program runs");
+        assert!(
+            out.status.success(),
+            "{story}: {}",
+            String::from_utf8_lossy(&out.stderr)
+        );
+        let made = fs::read(&script).expect("the script");
+        assert!(
+            made == shipped(story, "story.eml"),
+            "{story}: import the annotation again"
+        );
+    }
+}
+
+/// Loads a told story with its voice and without idle motion.
+fn told(story: &str) -> LoadedPlayer {
+    let eml = String::from_utf8(shipped(story, "story.eml")).expect("text");
+    let bundle = shipped(story, "voice/speech.json");
+    load(&eml, Some(&bundle), "papous")
+}
+
+#[test]
+fn all_gestures_of_the_told_stories_are_where_and_when_they_were_annotated() {
+    for story in TOLD {
+        let read = read_transcription(&shipped(story, "annotation.anvil"), None);
+        let errors = read
+            .diagnostics
+            .iter()
+            .filter(|d| d.severity == Severity::Error);
+        assert_eq!(errors.count(), 0, "{story}: {:?}", read.diagnostics);
+        let gestures = Statistics::new(&read.transcription).gestures;
+        assert!(gestures >= 286, "{story} has {gestures} gestures");
+        let loaded = told(story);
+        let codes: Vec<_> = loaded.diagnostics.iter().map(|d| d.code).collect();
+        let known = ["player::no-animation"];
+        assert!(
+            codes.iter().all(|code| known.contains(code)),
+            "{story}: {codes:?}"
+        );
+        let mut player = loaded.player;
+        let clauses = player.timeline().clauses.clone();
+        let starts: Vec<(f64, f64)> = clauses
+            .iter()
+            .map(|clause| (clause.start_secs, clause.end_secs))
+            .collect();
+        let layer = &read.transcription.layers[0];
+        let (mut worst_units, mut worst_secs) = (0.0_f64, 0.0_f64);
+        for phase in &layer.phases {
+            let Interval {
+                start_secs,
+                end_secs,
+            } = phase.interval;
+            let off =
+                |&(start, end): &(f64, f64)| (start - start_secs).abs().max((end - end_secs).abs());
+            let near = starts.partition_point(|(start, _)| *start < start_secs - 0.5);
+            let near = &starts[near..(near + 40).min(starts.len())];
+            worst_secs = worst_secs.max(near.iter().map(off).fold(f64::INFINITY, f64::min));
+        }
+        // Each frame of a story of eight minutes costs milliseconds.
+        let step = if is_long() { 1 } else { SAMPLED };
+        for phrase in layer.phrases.iter().step_by(step) {
+            let phases = layer.phases_of(phrase);
+            let stroke = phases.iter().find(|phase| phase.kind == PhaseKind::Stroke);
+            let stroke = stroke.expect("a stroke");
+            let motion = stroke
+                .form
+                .motion
+                .as_ref()
+                .and_then(|noted| noted.value.as_ref());
+            let motion = motion.expect("a motion");
+            for side in Side::BOTH {
+                let mirrored = side == Side::Left && matches!(motion, gsl::Value::Common(_));
+                let takes_part = match phrase.handedness.expect("hands") {
+                    Hands::Both => true,
+                    Hands::Right => side == Side::Right,
+                    Hands::Left => side == Side::Left,
+                };
+                let mirrored = mirrored && phrase.handedness == Some(Hands::Both);
+                let Some(sequence) = motion.for_hand(side).filter(|_| takes_part) else {
+                    continue;
+                };
+                let times = sequence.offsets_secs(stroke.interval.length_secs());
+                for (item, time) in sequence.items.iter().zip(times) {
+                    let [x, y, z] = item.feature.0;
+                    let place = [if mirrored { -x } else { x }, y, z];
+                    let secs = stroke.interval.start_secs + time;
+                    worst_units = worst_units.max(miss(&mut player, secs, side, place));
+                }
+            }
+        }
+        assert!(
+            worst_secs <= LATE_SECS,
+            "{story}: a phase is {worst_secs} s off"
+        );
+        assert!(
+            worst_units < 1.0,
+            "{story}: a hand is {worst_units} units off"
+        );
     }
 }

@@ -25,6 +25,7 @@ import {
 } from './edit.js';
 import { numberField } from './fields.js';
 import { PHASES, toldApart, type Feature, type Key, type Phase, type PhaseName, type Vector3, type Value } from './gesture.js';
+import { ORIENTATIONS, orientationName, orientationOf } from './orientations.js';
 import { wristNow } from './overlay.js';
 import type { Palms } from './palm.js';
 import { shapeName, shapePicker, shapePicture } from './shapes.js';
@@ -234,8 +235,29 @@ function palmPanel(app: App, key: Key): TemplateResult {
         ${Object.entries(WAYS).map(([name, normal]) => html`<button type="button" class="plain" @click=${() => choose(normal)}>${name}</button>`)}
       </div>
     </div>
+    ${typical(app, palm, (normal, angle) => {
+      set(normal, angle);
+      app.done();
+    })}
     ${numberField({ label: 'Turn about the normal', value: palm.angle, min: -180, max: 360, step: 1, unit: '°', set: (angle) => set((app.key('palm')?.value.palm ?? palm).normal, angle), done: () => app.done() })}
     ${axis('Normal to the left', 0)} ${axis('Normal upwards', 1)} ${axis('Normal to the back', 2)}`;
+}
+
+/** Renders the menu of typical orientations. */
+function typical(app: App, palm: NonNullable<Value['palm']>, choose: (normal: Vector3, angle: number) => void): TemplateResult {
+  const { hand } = app;
+  const now = orientationName(hand, palm);
+  const pick = (event: Event): void => {
+    const known = ORIENTATIONS[(event.target as HTMLSelectElement).value];
+    if (known === undefined) return;
+    const { normal, angle } = orientationOf(hand, known);
+    choose(normal, angle);
+  };
+  return html`<label class="select"><span>Typical</span>
+      <select @change=${pick}>
+        <option value="" ?selected=${now === undefined} disabled>Choose…</option>
+        ${Object.keys(ORIENTATIONS).map((name) => html`<option ?selected=${name === now}>${name}</option>`)}
+      </select></label>`;
 }
 
 function placePanel(app: App, key: Key): TemplateResult {

@@ -1,4 +1,4 @@
-/** Transcriptions as plain data, as `crate/annotate/src/plain.rs` and `bindings.rs` have them. Times are seconds of the recording. */
+/** Transcriptions as plain data, as `crate/annotate/src/plain` and `bindings.rs` have them. Times are seconds of the recording. */
 
 import type { Diagnostic } from '../../element/base/types.js';
 
@@ -72,6 +72,10 @@ export interface Transcription {
   utterances: Utterance[];
   levels: Level[];
   gestures: Gesture[];
+  /** Prosody, events on stage and settings are kept as they are: the page does not show them. */
+  prosody?: unknown;
+  staging?: unknown;
+  settings?: unknown;
   layers: Layer[];
 }
 

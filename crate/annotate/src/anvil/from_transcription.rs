@@ -20,6 +20,11 @@ pub fn from_transcription(transcription: &Transcription) -> Annotation {
         kind: "String".into(),
         text: coder.clone(),
     });
+    let settings = transcription.settings.iter().map(|setting| Info {
+        key: format!("{}.{}", setting.element, setting.attribute),
+        kind: "String".into(),
+        text: setting.value.clone(),
+    });
     Annotation {
         specification: Some(SPECIFICATION.into()),
         media: media
@@ -29,7 +34,7 @@ pub fn from_transcription(transcription: &Transcription) -> Annotation {
                 is_master: at == 0,
             })
             .collect(),
-        info: coder.collect(),
+        info: coder.chain(settings).collect(),
         tracks: tracks(transcription),
     }
 }
@@ -37,7 +42,7 @@ pub fn from_transcription(transcription: &Transcription) -> Annotation {
 fn tracks(transcription: &Transcription) -> Vec<Track> {
     let mut tracks = vec![
         track(WORDS, TrackKind::Primary, &transcription.words, |word| {
-            let attributes = Attributes::default().text(TOKEN, Some(&word.token));
+            let attributes = AttributeList::default().text(TOKEN, Some(&word.token));
             (Extent::Times(word.interval), attributes)
         }),
         track(
@@ -45,7 +50,7 @@ fn tracks(transcription: &Transcription) -> Vec<Track> {
             TrackKind::Span(WORDS.into()),
             &transcription.utterances,
             |utterance| {
-                let attributes = Attributes::default().text(TEXT, Some(&utterance.text));
+                let attributes = AttributeList::default().text(TEXT, Some(&utterance.text));
                 (run(&utterance.words), attributes)
             },
         ),
@@ -54,7 +59,7 @@ fn tracks(transcription: &Transcription) -> Vec<Track> {
             TrackKind::Span(UTTERANCES.into()),
             &transcription.levels,
             |span| {
-                let attributes = Attributes::default().word(LEVEL, Some(span.level));
+                let attributes = AttributeList::default().word(LEVEL, Some(span.level));
                 (run(&span.utterances), attributes)
             },
         ),
@@ -63,7 +68,7 @@ fn tracks(transcription: &Transcription) -> Vec<Track> {
             TrackKind::Primary,
             &transcription.gestures,
             |gesture| {
-                let attributes = Attributes::default()
+                let attributes = AttributeList::default()
                     .word(TYPE, Some(gesture.class))
                     .confidence(gesture.confidence)
                     .text(ANIMATION, gesture.animation.as_ref());
@@ -71,17 +76,48 @@ fn tracks(transcription: &Transcription) -> Vec<Track> {
             },
         ),
     ];
+    let prosody = by_element(&transcription.prosody, |prosody| &prosody.element);
+    tracks.extend(prosody.into_iter().map(|(element, items)| {
+        let name = format!("{PROSODY}.{element}");
+        track(&name, TrackKind::Span(WORDS.into()), &items, |prosody| {
+            (
+                run(&prosody.words),
+                AttributeList::from_list(&prosody.attributes),
+            )
+        })
+    }));
+    let staging = by_element(&transcription.staging, |event| &event.element);
+    tracks.extend(staging.into_iter().map(|(element, items)| {
+        let name = format!("{STAGING}.{element}");
+        track(&name, TrackKind::Primary, &items, |event| {
+            let attributes = AttributeList::from_list(&event.attributes);
+            (Extent::Times(event.interval), attributes)
+        })
+    }));
     let layers = &transcription.layers;
     tracks.extend(layers.iter().map(phases));
     tracks.extend(layers.iter().map(phrases));
     tracks
 }
 
+/// Groups items by their element, in the order of their first one.
+fn by_element<T>(items: &[T], element: impl Fn(&T) -> &String) -> Vec<(&String, Vec<&T>)> {
+    let mut groups: Vec<(&String, Vec<&T>)> = Vec::new();
+    for item in items {
+        let name = element(item);
+        match groups.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, group)) => group.push(item),
+            None => groups.push((name, vec![item])),
+        }
+    }
+    groups
+}
+
 fn phases(layer: &Layer) -> Track {
     let name = format!("{PHASES}.{}", layer.name);
     track(&name, TrackKind::Primary, &layer.phases, |phase: &Phase| {
         let form = &phase.form;
-        let attributes = Attributes::default()
+        let attributes = AttributeList::default()
             .word(PHASE, Some(phase.kind))
             .noted(SOURCE, form.source.as_ref())
             .noted(TARGET, form.target.as_ref())
@@ -99,7 +135,7 @@ fn phrases(layer: &Layer) -> Track {
     track(&name, kind, &layer.phrases, |phrase: &Phrase| {
         let meaning = &phrase.meaning;
         let symmetry = phrase.symmetry.map(|symmetry| symmetry.to_string());
-        let attributes = Attributes::default()
+        let attributes = AttributeList::default()
             .word(PHRASE, phrase.dimension)
             .word(HANDEDNESS, phrase.handedness)
             .text(SYMMETRY, symmetry.as_ref())
@@ -128,7 +164,7 @@ fn track<T>(
     name: &str,
     kind: TrackKind,
     items: &[T],
-    content: impl Fn(&T) -> (Extent, Attributes),
+    content: impl Fn(&T) -> (Extent, AttributeList),
 ) -> Track {
     let element = |(index, item): (usize, &T)| {
         let (extent, attributes) = content(item);
@@ -162,11 +198,20 @@ fn run(range: &RangeInclusive<usize>) -> Extent {
 
 /// Attributes of an element in the order of the specification; absent ones are left out.
 #[derive(Default)]
-struct Attributes {
+struct AttributeList {
     list: Vec<(String, Text)>,
 }
 
-impl Attributes {
+impl AttributeList {
+    fn from_list(list: &[(String, String)]) -> Self {
+        let list = list.iter();
+        Self {
+            list: list
+                .map(|(name, text)| (name.clone(), Text::from(text.clone())))
+                .collect(),
+        }
+    }
+
     fn text(mut self, name: &str, text: Option<&String>) -> Self {
         if let Some(text) = text.filter(|text| !text.is_empty()) {
             self.list.push((name.into(), Text::from(text.clone())));

@@ -5,10 +5,10 @@ use std::ops::RangeInclusive;
 
 use raconteur_eml::{Diagnostic, Span, quoted};
 
-use super::{Annotation, Extent, Track, TrackElement, TrackKind};
+use super::{Annotation, Extent, Info, Track, TrackElement, TrackKind};
 use crate::gestura::{
-    Form, Gesture, GestureClass, Interval, Layer, LevelSpan, Meaning, Noted, Phase, Phrase,
-    Transcription, Utterance, Vocabulary, Word,
+    Attributes, Form, Gesture, GestureClass, Interval, Layer, LevelSpan, Meaning, Noted, Phase,
+    Phrase, Prosody, Setting, Staging, Transcription, Utterance, Vocabulary, Word,
 };
 use crate::names::*;
 
@@ -27,6 +27,8 @@ pub fn to_transcription(annotation: &Annotation, problems: &mut Vec<Diagnostic>)
     let utterances = converter.utterances(&words);
     let levels = converter.levels(&words, &utterances);
     let gestures = converter.gestures();
+    let prosody = converter.prosody(&words);
+    let staging = converter.staging();
     let layers = converter.layers();
     let told = [
         !words.is_empty(),
@@ -52,6 +54,9 @@ pub fn to_transcription(annotation: &Annotation, problems: &mut Vec<Diagnostic>)
         utterances,
         levels,
         gestures,
+        prosody,
+        staging,
+        settings: settings(annotation),
         layers,
     }
 }
@@ -303,6 +308,52 @@ impl<'a> Converter<'a, '_> {
         gestures
     }
 
+    /// Reads the tracks of a group whose names are elements of EML.
+    fn prosody(&mut self, words: &[Word]) -> Vec<Prosody> {
+        let kept = self.kept(WORDS);
+        let intervals: Vec<Interval> = words.iter().map(|word| word.interval).collect();
+        let annotation = self.annotation;
+        let mut all = Vec::new();
+        for track in &annotation.tracks {
+            let Some(name) = layer_name(&track.name, PROSODY) else {
+                continue;
+            };
+            for element in &track.elements {
+                if let Some(words) = self.covered(&track.name, element, (WORDS, &kept), &intervals)
+                {
+                    all.push(Prosody {
+                        element: name.to_owned(),
+                        attributes: attributes(element),
+                        words,
+                        span: element.span,
+                    });
+                }
+            }
+        }
+        all
+    }
+
+    fn staging(&mut self) -> Vec<Staging> {
+        let annotation = self.annotation;
+        let mut all = Vec::new();
+        for track in &annotation.tracks {
+            let Some(name) = layer_name(&track.name, STAGING) else {
+                continue;
+            };
+            for element in &track.elements {
+                if let Some(interval) = self.time_of(&track.name, element) {
+                    all.push(Staging {
+                        element: name.to_owned(),
+                        attributes: attributes(element),
+                        interval,
+                        span: element.span,
+                    });
+                }
+            }
+        }
+        all
+    }
+
     fn layers(&mut self) -> Vec<Layer> {
         let annotation = self.annotation;
         let mut layers = Vec::new();
@@ -403,6 +454,26 @@ impl<'a> Converter<'a, '_> {
         }
         phrases
     }
+}
+
+fn attributes(element: &TrackElement) -> Attributes {
+    let attributes = element.attributes.iter();
+    attributes
+        .map(|(name, text)| (name.clone(), text.value.clone()))
+        .collect()
+}
+
+/// Returns the settings among the notes of a file: those whose key has a point.
+fn settings(annotation: &Annotation) -> Vec<Setting> {
+    let setting = |info: &Info| {
+        let (element, attribute) = info.key.split_once('.')?;
+        Some(Setting {
+            element: element.to_owned(),
+            attribute: attribute.to_owned(),
+            value: info.text.clone(),
+        })
+    };
+    annotation.info.iter().filter_map(setting).collect()
 }
 
 /// Returns the run of intervals of which at least half lies in another one.

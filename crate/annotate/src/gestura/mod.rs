@@ -13,6 +13,7 @@
 mod beat_filter;
 mod check;
 mod form;
+mod staging;
 mod statistics;
 mod word;
 
@@ -23,6 +24,7 @@ use raconteur_eml::Span;
 pub use beat_filter::{BeatScore, beat_score};
 pub use check::check;
 pub use form::{Form, Noted};
+pub use staging::{Attributes, Prosody, Setting, Staging};
 pub use statistics::{Durations, Statistics, Tally};
 pub use word::Vocabulary;
 
@@ -44,6 +46,12 @@ pub struct Transcription {
     pub levels: Vec<LevelSpan>,
     /// All gestures with their class, in the order of time (pass 4).
     pub gestures: Vec<Gesture>,
+    /// Manner in which words are spoken.
+    pub prosody: Vec<Prosody>,
+    /// Events on stage.
+    pub staging: Vec<Staging>,
+    /// Settings of the whole performance.
+    pub settings: Vec<Setting>,
     /// Gesticulation in layers, so that gestures may overlap (passes 5 to 7).
     pub layers: Vec<Layer>,
 }

@@ -33,6 +33,8 @@ pub struct Statistics {
     pub symmetric: usize,
     /// Phrases by the score of the beat filter, from 0 on.
     pub beat_scores: Vec<usize>,
+    /// Gestures that begin in each half minute.
+    pub per_half_minute: Vec<usize>,
     /// Durations of phases by kind.
     pub phases: Vec<Durations>,
     /// Number of phases with each hand shape, most frequent first.
@@ -115,6 +117,7 @@ impl Statistics {
                 .filter(|phrase| phrase.symmetry == Some(true))
                 .count(),
             beat_scores,
+            per_half_minute: per_half_minute(transcription),
             phases: durations(transcription),
             shapes: shapes(phases().filter_map(|phase| phase.form.hand_shapes.as_ref())),
             confidence,
@@ -146,6 +149,33 @@ fn length_secs(transcription: &Transcription) -> f64 {
         .flat_map(|layer| layer.phases.iter().map(|phase| phase.interval));
     let all = words.chain(gestures).chain(phases);
     all.reduce(Interval::to).map_or(0.0, Interval::length_secs)
+}
+
+/// Counts gestures by the half minute in which they begin; without pass 4, phrases.
+fn per_half_minute(transcription: &Transcription) -> Vec<usize> {
+    let layers = transcription.layers.iter();
+    let phrases = layers.flat_map(|layer| {
+        layer
+            .phrases
+            .iter()
+            .filter_map(|phrase| layer.phrase_interval(phrase))
+    });
+    let gestures = transcription
+        .gestures
+        .iter()
+        .map(|gesture| gesture.interval);
+    let starts: Vec<f64> = if transcription.gestures.is_empty() {
+        phrases.map(|interval| interval.start_secs).collect()
+    } else {
+        gestures.map(|interval| interval.start_secs).collect()
+    };
+    let mut counts = Vec::new();
+    for start_secs in starts {
+        let half = (start_secs.max(0.0) / 30.0) as usize;
+        counts.resize(counts.len().max(half + 1), 0);
+        counts[half] += 1;
+    }
+    counts
 }
 
 /// Counts values in the order of their list, those without one last.

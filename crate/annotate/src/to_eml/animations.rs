@@ -6,26 +6,42 @@ use raconteur_eml::{
 };
 
 use super::anchors::Anchors;
-use crate::gestura::{GestureClass, Transcription, Vocabulary};
+use crate::gestura::{Gesture, GestureClass, Transcription, Vocabulary};
 use crate::script::{Builder, seconds};
 
 /// Name of the player of the animations.
 const PLAYER: &str = "transcribed";
 
+fn is_gesticulation(gesture: &Gesture) -> bool {
+    gesture.class == GestureClass::Gesticulation
+}
+
+/// Returns the gestures that are performed by animations.
+pub(super) fn performed(transcription: &Transcription) -> impl Iterator<Item = &Gesture> {
+    let others = transcription
+        .gestures
+        .iter()
+        .filter(|gesture| !is_gesticulation(gesture));
+    others.filter(|gesture| gesture.animation.is_some())
+}
+
 /// Adds an animation for each such gesture that names one.
 pub(super) fn write(builder: &mut Builder, transcription: &Transcription, anchors: &Anchors) {
-    let others = transcription.gestures.iter();
-    let others = others.filter(|gesture| gesture.class != GestureClass::Gesticulation);
-    let mut has_player = false;
-    for gesture in others {
-        let Some(animation) = &gesture.animation else {
+    for gesture in transcription
+        .gestures
+        .iter()
+        .filter(|g| !is_gesticulation(g))
+    {
+        if gesture.animation.is_none() {
             let message = format!(
                 "the {} names no animation and is not performed",
                 gesture.class.word()
             );
             builder.note("gestura::no-animation", gesture.span, message);
-            continue;
-        };
+        }
+    }
+    let mut has_player = false;
+    for gesture in performed(transcription) {
         if !has_player {
             has_player = true;
             let player = PlayerAdd {
@@ -40,10 +56,10 @@ pub(super) fn write(builder: &mut Builder, transcription: &Transcription, anchor
         let primitive = DeterministicPrimitive {
             primitive: PrimitiveKind::Push,
             player: Some(PLAYER.into()),
-            animation: Some(animation.clone()),
+            animation: gesture.animation.clone(),
             style: Some(AnimationStyle {
                 style: PlaybackStyle::TemporaryIterations,
-                ..AnimationStyle::default()
+                iterations: 1,
             }),
             ..DeterministicPrimitive::default()
         };

@@ -7,9 +7,12 @@
 
 mod anchors;
 mod animations;
+mod elements;
 mod hands;
+mod pauses;
 mod phase;
 mod phrases;
+mod prosody;
 mod speech;
 
 use raconteur_eml::{ClauseKind, Diagnostic, Document};
@@ -17,6 +20,7 @@ use raconteur_eml::{ClauseKind, Diagnostic, Document};
 use crate::gestura::{Transcription, Vocabulary};
 use crate::script::Builder;
 use anchors::Anchors;
+pub use pauses::fit_pauses;
 
 /// Reference of the times of gestures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -40,7 +44,7 @@ pub fn to_eml(transcription: &Transcription, anchoring: Anchoring) -> (Document,
     for phrase in &plan {
         anchors.choose(phrase.stroke_secs());
     }
-    for gesture in &transcription.gestures {
+    for gesture in animations::performed(transcription) {
         anchors.choose(gesture.interval.start_secs);
     }
     for level in &transcription.levels {
@@ -48,6 +52,14 @@ pub fn to_eml(transcription: &Transcription, anchoring: Anchoring) -> (Document,
             anchors.choose(start_secs);
         }
     }
+    for event in &transcription.staging {
+        anchors.choose(event.interval.start_secs);
+    }
+    elements::settings(
+        &transcription.settings,
+        &mut builder.document,
+        &mut builder.problems,
+    );
     speech::write(&mut builder, transcription, &anchors);
     for level in &transcription.levels {
         if let Some(start_secs) = level_start(transcription, level) {
@@ -58,6 +70,7 @@ pub fn to_eml(transcription: &Transcription, anchoring: Anchoring) -> (Document,
             builder.push(anchors.time(start_secs, start_secs), event);
         }
     }
+    staging(&mut builder, transcription, &anchors);
     animations::write(&mut builder, transcription, &anchors);
     phrases::write(&mut builder, &plan, &anchors);
     (builder.document, builder.problems)
@@ -66,4 +79,21 @@ pub fn to_eml(transcription: &Transcription, anchoring: Anchoring) -> (Document,
 fn level_start(transcription: &Transcription, level: &crate::gestura::LevelSpan) -> Option<f64> {
     let utterance = transcription.utterances.get(*level.utterances.start())?;
     Some(transcription.utterance_interval(utterance)?.start_secs)
+}
+
+/// Adds the events on stage.
+fn staging(builder: &mut Builder, transcription: &Transcription, anchors: &Anchors) {
+    for event in &transcription.staging {
+        let clause = elements::clause(
+            &event.element,
+            &event.attributes,
+            event.interval.length_secs(),
+            event.span,
+            &mut builder.problems,
+        );
+        if let Some(kind) = clause {
+            let start_secs = event.interval.start_secs;
+            builder.push(anchors.time(start_secs, start_secs), kind);
+        }
+    }
 }

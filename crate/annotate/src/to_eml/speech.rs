@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use raconteur_eml::{ClauseKind, DivKind, MarkEvent, Name, Span, TextSegment, TimeExpr, VoiceText};
 
 use super::anchors::{Anchors, is_spoken};
+use super::prosody;
 use crate::gestura::Transcription;
 use crate::script::{Builder, after, seconds};
 
@@ -144,16 +145,24 @@ fn text(
         text = joined();
         token_starts(&text, &tokens).unwrap_or_default()
     });
+    let spoken_words: Vec<usize> = tokens.iter().map(|(word, _)| *word).collect();
+    let containers = prosody::of_words(builder, &transcription.prosody, &spoken_words);
+    let places = extended(&text, &starts, &tokens);
     let mut pieces = vec![TextSegment::DivStart {
         kind: Some(DivKind::Sentence),
         span: Span::default(),
     }];
     let mut from = 0;
-    for (&start, (word, _)) in starts.iter().zip(&tokens) {
-        if let Some(name) = anchors.mark(*word) {
-            push_text(&mut pieces, &text[from..start]);
-            pieces.push(mark(name));
-            from = start;
+    for (index, &(start, end)) in places.iter().enumerate() {
+        push_text(&mut pieces, &text[from..start]);
+        from = start;
+        pieces.extend(containers.before(index).cloned());
+        pieces.extend(anchors.mark(spoken_words[index]).map(mark));
+        pieces.extend(containers.opening(index).cloned());
+        for _ in 0..containers.closing(index) {
+            push_text(&mut pieces, &text[from..end]);
+            from = end;
+            pieces.push(TextSegment::End);
         }
     }
     push_text(&mut pieces, &text[from..]);
@@ -162,6 +171,30 @@ fn text(
         pieces.push(mark(end.clone()));
     }
     pieces
+}
+
+/// Returns the bytes of each token with the signs attached to it, such as quotes.
+fn extended(text: &str, starts: &[usize], tokens: &[(usize, &str)]) -> Vec<(usize, usize)> {
+    let mut places = Vec::with_capacity(starts.len());
+    let mut before = 0;
+    for (index, (&start, (_, token))) in starts.iter().zip(tokens).enumerate() {
+        let next = starts.get(index + 1).copied().unwrap_or(text.len());
+        let gap = &text[before..start];
+        let first = gap.rfind(char::is_whitespace).map_or(before, |at| {
+            let white = gap[at..].chars().next().map_or(1, char::len_utf8);
+            before + at + white
+        });
+        let letters = token.chars().filter(|c| c.is_alphanumeric()).count();
+        let rest = &text[start..next];
+        let mut inside = rest.char_indices().filter(|(_, c)| c.is_alphanumeric());
+        let last = letters.checked_sub(1).and_then(|count| inside.nth(count));
+        let last = last.map_or(start, |(at, c)| start + at + c.len_utf8());
+        let after = text[last..next].find(char::is_whitespace);
+        let end = after.map_or(next, |at| last + at);
+        places.push((first, end));
+        before = end;
+    }
+    places
 }
 
 fn push_text(pieces: &mut Vec<TextSegment>, text: &str) {

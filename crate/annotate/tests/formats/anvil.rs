@@ -26,6 +26,14 @@ fn without_places(mut transcription: Transcription) -> Transcription {
         .gestures
         .iter_mut()
         .for_each(|gesture| gesture.span = nowhere);
+    transcription
+        .prosody
+        .iter_mut()
+        .for_each(|prosody| prosody.span = nowhere);
+    transcription
+        .staging
+        .iter_mut()
+        .for_each(|event| event.span = nowhere);
     for layer in &mut transcription.layers {
         layer
             .phases

@@ -6,3 +6,4 @@ mod gsl;
 mod plain;
 mod random;
 mod replay;
+mod telling;

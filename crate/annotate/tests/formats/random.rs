@@ -3,7 +3,8 @@
 use proptest::prelude::*;
 use raconteur_annotate::gestura::{
     Dimension, Form, Gesture, GestureClass, Hands, Interval, Layer, Level, LevelSpan, Meaning,
-    Noted, Phase, PhaseKind, Phrase, Transcription, Utterance, Viewpoint, Vocabulary, Word,
+    Noted, Phase, PhaseKind, Phrase, Prosody, Setting, Staging, Transcription, Utterance,
+    Viewpoint, Vocabulary, Word,
 };
 use raconteur_annotate::gsl::{Feature, Item, Offset, Palm, Position, Sequence, Shape, Value};
 use raconteur_eml::Span;
@@ -199,6 +200,33 @@ fn layer(name: &'static str) -> impl Strategy<Value = Layer> {
     })
 }
 
+/// Prosody, events and settings over some words.
+fn around(words: &[Word]) -> (Vec<Prosody>, Vec<Staging>, Vec<Setting>) {
+    let attribute = |name: &str, value: &str| vec![(name.to_owned(), value.to_owned())];
+    let prosody = words.len().checked_sub(1).map(|last| Prosody {
+        element: "emph".into(),
+        attributes: attribute("level", "strong"),
+        words: last / 2..=last,
+        span: Span::default(),
+    });
+    let staging = words.iter().step_by(5).map(|word| Staging {
+        element: "emotion".into(),
+        attributes: attribute("type", "joy"),
+        interval: word.interval,
+        span: Span::default(),
+    });
+    let setting = Setting {
+        element: "environment".into(),
+        attribute: "set".into(),
+        value: "garden".into(),
+    };
+    (
+        prosody.into_iter().collect(),
+        staging.collect(),
+        vec![setting],
+    )
+}
+
 /// Transcriptions of every kind of annotation, without places in a file.
 pub(crate) fn transcription() -> impl Strategy<Value = Transcription> {
     let words = prop::collection::vec(((0_u32..700, 40_u32..500), "[a-zé']{1,8}"), 0..20);
@@ -264,7 +292,11 @@ pub(crate) fn transcription() -> impl Strategy<Value = Transcription> {
                     span: Span::default(),
                 })
                 .collect();
+            let (prosody, staging, settings) = around(&words);
             Transcription {
+                prosody,
+                staging,
+                settings,
                 media: vec!["rabbit.mp4".into()],
                 coder: Some("one".into()),
                 words,

@@ -8,8 +8,10 @@ use clap::{Args, ValueEnum};
 use raconteur_annotate::elan::Mapping;
 use raconteur_annotate::{Anchoring, anvil};
 use raconteur_eml::{Diagnostic, decode};
+use raconteur_player::Script;
 use raconteur_voice::files::{disk, input};
 
+use crate::story::MAX_BUNDLE_BYTES;
 use crate::{Outcome, report, terminal};
 
 /// Maximum length of a file, bytes.
@@ -56,8 +58,16 @@ impl Import {
             let annotation = anvil::from_transcription(&read.transcription);
             (read.text, read.diagnostics, anvil::write(&annotation))
         } else {
-            let imported = raconteur_annotate::import(&bytes, mapping, self.anchoring());
-            let eml = raconteur_eml::write(&imported.document);
+            let bundle = self.bundle()?;
+            let anchoring = self.anchoring(bundle.is_some());
+            let mut imported = raconteur_annotate::import(&bytes, mapping, anchoring);
+            let mut eml = raconteur_eml::write(&imported.document);
+            if let Some(bundle) = bundle {
+                let voices = Script::read(&eml, Some(&bundle)).timeline.voices;
+                let baked = |clause| voices.get(&clause).filter(|v| !v.estimated).cloned();
+                raconteur_annotate::fit_pauses(&mut imported.document, baked);
+                eml = raconteur_eml::write(&imported.document);
+            }
             (imported.text, imported.diagnostics, eml)
         };
         report::print(&self.file.display().to_string(), &text, &diagnostics)?;
@@ -76,15 +86,20 @@ impl Import {
         })
     }
 
-    fn anchoring(&self) -> Anchoring {
-        let has_bundle = || {
-            let folder = self.output.as_deref().and_then(Path::parent);
-            folder.is_some_and(|folder| folder.join("voice/speech.json").is_file())
-        };
+    /// Returns the speech bundle next to the output, if there is one.
+    fn bundle(&self) -> Result<Option<Vec<u8>>> {
+        let folder = self.output.as_deref().and_then(Path::parent);
+        let path = folder.map(|folder| folder.join("voice/speech.json"));
+        let path = path.filter(|path| path.is_file());
+        let read = path.map(|path| input::bytes(&path, MAX_BUNDLE_BYTES));
+        read.transpose().context("the speech bundle")
+    }
+
+    fn anchoring(&self, has_bundle: bool) -> Anchoring {
         match self.anchor {
             Some(Anchor::Words) => Anchoring::Words,
             Some(Anchor::Seconds) => Anchoring::Seconds,
-            None if has_bundle() => Anchoring::Words,
+            None if has_bundle => Anchoring::Words,
             None => Anchoring::Seconds,
         }
     }
