@@ -82,6 +82,7 @@ export class App {
     this.transcription = transcription;
     this.#undo = new UndoStack<Transcription | undefined>(transcription);
     this.selected = undefined;
+    this.statistics = undefined;
     this.isStored = true;
     this.playback.secs = 0;
     this.#changed();
@@ -206,7 +207,7 @@ export class App {
         const { eml, diagnostics, firstGestureSecs } = await this.annotations.toEml(transcription, 'seconds');
         this.problems = diagnostics;
         this.statistics = await this.annotations.statistics(transcription);
-        this.isStored = remember({ name: this.name, transcription });
+        this.store();
         this.redraw();
         await this.playback.player.rehearse(eml);
         this.playback.setFirstGesture(firstGestureSecs);
@@ -217,6 +218,12 @@ export class App {
       this.#isPerforming = false;
       this.redraw();
     }
+  }
+
+  /** Stores the annotation for the next visit. */
+  store(): void {
+    const { name, transcription } = this;
+    if (transcription !== undefined) this.isStored = remember({ name, transcription });
   }
 
   /** Redraws the page once before the next frame. */

@@ -237,6 +237,9 @@ onUndoKeys(
   ({ target }) => target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && target.type === 'text' && target.matches(':focus')),
 );
 
+// The last change may be so new that the figure has not performed it.
+window.addEventListener('pagehide', () => app.store());
+
 document.addEventListener('keydown', (event) => {
   if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || app.transcription === undefined) return;
   const { target } = event;
