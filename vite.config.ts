@@ -24,7 +24,8 @@ const headers = {
     "style-src 'self'",
     "img-src 'self' data:",
     "connect-src 'self'",
-    "media-src 'self'",
+    // Recordings that a visitor opens on the page *Transcribe* are addresses of the page itself.
+    "media-src 'self' blob:",
     "base-uri 'none'",
     "form-action 'none'",
     "frame-ancestors 'self'",
@@ -124,7 +125,7 @@ function clips(): Plugin {
 
 /** All wasm builds call their file the same; the folder tells them apart. */
 function assetFileNames({ originalFileNames }: { readonly originalFileNames: readonly string[] }): string {
-  const [, build] = originalFileNames.map((name) => /pkg\/(?:quick\/)?(webgpu|webgl|avatar|faces|say)\//.exec(name)).find(Boolean) ?? [];
+  const [, build] = originalFileNames.map((name) => /pkg\/(?:quick\/)?(webgpu|webgl|annotate|avatar|faces|say)\//.exec(name)).find(Boolean) ?? [];
   return `app/${build ?? '[name]'}-[hash][extname]`;
 }
 
@@ -162,7 +163,7 @@ export default defineConfig(({ mode }) => {
         output: {
           entryFileNames: (chunk) => (chunk.name.startsWith('raconteur-') ? '[name].js' : 'app/[name]-[hash].js'),
           chunkFileNames: (chunk) => {
-            const backend = /pkg\/(?:quick\/)?(webgpu|webgl|avatar|faces|say)\//.exec(chunk.facadeModuleId ?? '')?.[1];
+            const backend = /pkg\/(?:quick\/)?(webgpu|webgl|annotate|avatar|faces|say)\//.exec(chunk.facadeModuleId ?? '')?.[1];
             return `app/${backend ?? '[name]'}-[hash].js`;
           },
           assetFileNames,

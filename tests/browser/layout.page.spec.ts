@@ -5,7 +5,7 @@ import { expectNoBarriers } from './access.js';
 import { expect, ready, test } from './stage.js';
 
 /** Pages with a player, and documents. */
-const STAGES = ['', 'viewer/', 'gestures/', 'face/', 'expression/', 'composite/'];
+const STAGES = ['', 'viewer/', 'gestures/', 'transcribe/', 'face/', 'expression/', 'composite/'];
 const DOCUMENTS = ['docs/', 'docs/readme.html', 'docs/eml.html', 'docs/voices.html', 'docs/library-music.html'];
 
 async function open(page: Page, path: string): Promise<void> {

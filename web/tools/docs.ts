@@ -16,8 +16,8 @@ const groups: readonly (readonly [title: string, documents: readonly Document[]]
     [
       ['docs/eml.md', 'EML', 'Every element and attribute of the language, with examples.'],
       ['docs/gestures.md', 'Gestures', 'Gestures by dragging: the page on which they are built.'],
-      ['docs/transcribing.md', 'Transcribing', 'Annotations of ANVIL and ELAN, BML and SiGML, performed.'],
-      ['docs/hand-shapes.md', 'Hand shapes', 'The hand shapes and palm orientations, with their sources.'],
+      ['docs/transcribing.md', 'Transcribing gestures', 'From an annotated recording to a performance, and back.'],
+      ['docs/hand-shapes.md', 'Sources of the hand shapes', 'Where the hand shapes come from, and typical palm orientations.'],
       ['docs/animation.md', 'Animations', 'The format of animations, and how to write one.'],
       ['docs/face.md', 'The face', 'Muscles, speech, emotions and control parameters.'],
       ['docs/voices.md', 'Voices', 'Speech engines, markup, emotions in the voice.'],

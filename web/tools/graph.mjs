@@ -11,6 +11,7 @@ export const ENTRIES = {
   home: ['index.html'],
   viewer: ['web/pages/viewer/index.html'],
   gestures: ['web/pages/gestures/index.html'],
+  transcribe: ['web/pages/transcribe/index.html'],
   face: ['web/pages/face/index.html'],
   expression: ['web/pages/expression/index.html'],
   composite: ['web/pages/composite/index.html', 'web/composite/index.ts'],

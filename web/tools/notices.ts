@@ -39,7 +39,7 @@ export interface Contents {
   readonly packages?: Iterable<string>;
 }
 
-const SITE: Contents = { builds: [['web', 'webgpu'], ['web', 'webgl'], ['avatar'], ['faces'], ['say']] };
+const SITE: Contents = { builds: [['web', 'webgpu'], ['web', 'webgl'], ['annotate'], ['avatar'], ['faces'], ['say']] };
 
 /** Crates that are compiled into wasm files. */
 function crates(root: string, builds: readonly Build[]): Component[] {

@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { normalizePath, type Plugin } from 'vite';
 
 /** Pages other than the first one, which is `index.html` at the root. */
-export const PAGES: readonly string[] = ['viewer', 'gestures', 'face', 'expression', 'composite'];
+export const PAGES: readonly string[] = ['viewer', 'gestures', 'transcribe', 'face', 'expression', 'composite'];
 
 /** Returns the virtual path of a page in the build, from which Vite derives the name of its HTML. */
 export const servedPage = (root: string, name: string): string => normalizePath(join(root, name, 'index.html'));

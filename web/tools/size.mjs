@@ -21,13 +21,13 @@ const replaced = [
   { what: 'own readers of JSON and of numbers, and short names in shaders (106.4 measured at 59bf609 with typed glTF, less the 54 that went with it)', kb: 52.4, at: '2a753a2' },
 ];
 /** Size budgets of page scripts without shared code, KB; most of the gestures' is the editor. */
-const pages = { gestures: 150, viewer: 13, face: 10, expression: 8, composite: 300 };
+const pages = { gestures: 150, transcribe: 16, viewer: 13, face: 10, expression: 8, composite: 300 };
 
 /**
- * Files fetched only by some players: avatar importer, in-page speech and its engines, narration, mind connection, music, browser speech, time stretching, and
+ * Files fetched only by some players: annotation reader, avatar importer, in-page speech and its engines, narration, mind connection, music, browser speech, time stretching, and
  * film.
  */
-const apart = 'added avatar faces film flite here kokoro marks mind music natural say server spoken src stretch tell told vtt worker'.split(' ');
+const apart = 'added annotate avatar faces film flite here kokoro marks mind music natural say server spoken src stretch tell told vtt worker'.split(' ');
 
 /** Returns the gzip size. Node's own deflate trades 2 % of size for speed, so the `gzip` program is used if installed. */
 function gzip9(part) {
@@ -77,6 +77,7 @@ await main(async () => {
     const other = backend === 'webgpu' ? 'webgl' : 'webgpu';
     measure(backend, reach(entry, new RegExp(`^(${apart.join('|')}|${other})-`)), budget);
   }
+  measure('annotate', named(/^annotate-/), 400);
   measure('avatar', named(/^avatar-/), 250);
   measure('faces', named(/^faces-.*wasm$/), 250);
   measure('say', named(/^(say|here|flite-worker)-/), 1300);

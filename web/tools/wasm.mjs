@@ -1,6 +1,6 @@
 // Builds the player twice from one source, for WebGPU (small) and for WebGL2, and the importer of
-// foreign avatars, the model of faces and the speech of pages, which a page loads only when it needs them: cargo, wasm-bindgen, wasm-opt. Tests have quick
-// builds of their own.
+// foreign avatars, the reader of annotations, the model of faces and the speech of pages, which a page loads only when it needs them: cargo, wasm-bindgen,
+// wasm-opt. Tests have quick builds of their own.
 // Only Node's own modules.
 
 import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
@@ -13,8 +13,8 @@ import { once, root, start, Stop } from './steps.mjs';
 /** Back ends, each with its own build. */
 export const backends = ['webgpu', 'webgl'];
 
-/** All builds and their folders: features of the crate `web`, and the crates `avatar`, `faces` and `say`. */
-export const builds = [...backends, 'avatar', 'faces', 'say'];
+/** All builds and their folders: features of the crate `web`, and the crates `annotate`, `avatar`, `faces` and `say`. */
+export const builds = [...backends, 'annotate', 'avatar', 'faces', 'say'];
 
 /**
  * Purposes of builds: shipping, small and fast, or testing soon after a change. A kind has cargo's profile, the folder of its wasm builds and that of its

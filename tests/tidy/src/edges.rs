@@ -46,7 +46,10 @@ const PLATFORM: [(&str, &[&str]); 5] = [
     ("wgpu", &["render"]),
     ("web-sys", &["render", "web"]),
     ("js-sys", &["render", "web", "say", "avatar"]),
-    ("wasm-bindgen", &["render", "web", "avatar", "faces", "say"]),
+    (
+        "wasm-bindgen",
+        &["render", "web", "annotate", "avatar", "faces", "say"],
+    ),
     ("wasm-bindgen-futures", &["render", "web"]),
 ];
 

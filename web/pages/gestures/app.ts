@@ -8,12 +8,10 @@ import { setValue } from './edit.js';
 import { FEATURES, gestureOf, joined, toldApart, trackOf, type Feature, type Gesture, type Hand, type Key, type Phase, type Track, type Value } from './gesture.js';
 import { remember } from './memory.js';
 import type { Palms } from './palm.js';
+import { delayOf } from '../run-up.js';
 import { read, type Change } from '../source.js';
 
 export type Tab = 'phase' | Feature | 'course';
-
-/** Time allowed for an arm to reach a first stroke (`RUN_UP_SECS` in `crate/player/src/lower/script.rs`): earlier strokes are delayed. */
-const RUN_UP_SECS = 0.9;
 
 export class App {
   readonly editor: Editor;
@@ -133,7 +131,7 @@ export class App {
   /** Delay of the player relative to the text's times. */
   get delaySecs(): number {
     const starts = this.gesture.phases.map((phase) => phase.startSecs);
-    return starts.length === 0 || starts.includes(undefined) ? 0 : Math.max(0, RUN_UP_SECS - Math.min(...starts.map((s) => s ?? 0)));
+    return starts.length === 0 || starts.includes(undefined) ? 0 : delayOf(Math.min(...starts.map((s) => s ?? 0)));
   }
 
   /** Time on stage, in the time of the text. */

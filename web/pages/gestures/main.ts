@@ -1,39 +1,21 @@
 /** The workshop for gestures: wires the stage, the timeline, the steps and the text to one state. */
 
-import type { View } from '../../element/base/types.js';
 import '../player.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { openEyesAt } from '../face/course.js';
 import { copyText, findPlayer, onUndoKeys, byId, saveScript } from '../workbench.js';
 import { App } from './app.js';
 import { EXAMPLES } from './examples.js';
+import { FIGURES } from '../figures.js';
 import { remember, remembered } from './memory.js';
 import { overlay } from './overlay.js';
 import { Palms } from './palm.js';
 import { panels } from './panels.js';
+import { sides } from '../sides.js';
 import { difference } from '../source.js';
 import { timeline } from './timeline.js';
 
-/** Figures available on stage. */
-const FIGURES: Readonly<Record<string, string>> = {
-  sofia: 'Sofia',
-  papous: 'Papous',
-  nuno: 'Nuno',
-  amara: 'Amara',
-  kenji: 'Kenji',
-  lia: 'Lia',
-};
 const SPEEDS = [0.5, 1, 1.5];
-/** Views of the stage, with room for a raised hand even in a narrow image; the first is the audience's. */
-const SIDES: Readonly<Record<string, View | undefined>> = {
-  'From the front': undefined,
-  'From near by': { turn: 0, tilt: 0.05, zoom: 1.6, right: 0, up: 0.36 },
-  'From its left': { turn: Math.PI / 2, tilt: 0.05, zoom: 1.7, right: -0.1, up: 0.36 },
-  'From its right': { turn: -Math.PI / 2, tilt: 0.05, zoom: 1.7, right: 0.1, up: 0.36 },
-  'From above': { turn: 0, tilt: 1.35, zoom: 1.55, right: 0, up: 0.3 },
-};
-/** Invalid view that restores the shot. */
-const NO_VIEW: View = { turn: NaN, tilt: NaN, zoom: NaN, right: NaN, up: NaN };
 /** Problems that are listed; the rest is counted. */
 const MAX_PROBLEMS = 8;
 
@@ -57,7 +39,10 @@ function draw(): void {
   render(tools(), places.tools);
   render(overlay(app), places.overlay);
   render(transport(), places.transport);
-  render(sides(), places.sides);
+  render(
+    sides(player, () => app.redraw()),
+    places.sides,
+  );
   render(timeline(app), places.timeline);
   render(panels(app), places.steps);
   render(problems(), places.problems);
@@ -109,15 +94,6 @@ function copy(): void {
 
 function download(): void {
   say(`${saveScript(app.editor.text, 'gesture')} is saved.`);
-}
-
-function seen(event: Event): void {
-  player.look(SIDES[(event.target as HTMLSelectElement).value] ?? NO_VIEW);
-  app.redraw();
-}
-
-function sides(): TemplateResult {
-  return html`<select aria-label="Seen" @change=${seen}>${Object.keys(SIDES).map((name) => html`<option>${name}</option>`)}</select>`;
 }
 
 function toggle(): void {

@@ -1,21 +1,15 @@
-/** Storage key of the text, which survives a reload in the same tab. */
+/** Storage of the text, which survives a reload in the same tab. */
 
-const KEY = 'raconteur.gestures';
+import { StoredText } from '../stored-text.js';
 
-/** Stores a text, if the browser provides storage. */
-export function remember(text: string): void {
-  try {
-    sessionStorage.setItem(KEY, text);
-  } catch {
-    // Without storage (full or forbidden) only the restoration after a reload is lost.
-  }
+const text = new StoredText('raconteur.gestures', () => sessionStorage);
+
+/** Stores a text. Without storage only the restoration after a reload is lost. */
+export function remember(value: string): void {
+  text.set(value);
 }
 
 /** Returns the stored text. */
 export function remembered(): string | undefined {
-  try {
-    return sessionStorage.getItem(KEY) ?? undefined;
-  } catch {
-    return undefined;
-  }
+  return text.get();
 }

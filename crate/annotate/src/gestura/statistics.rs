@@ -4,12 +4,14 @@ use std::collections::BTreeMap;
 
 use raconteur_base::Side;
 use raconteur_base::order::sort_by_number;
+use serde::Serialize;
 
 use super::{Interval, Noted, PhaseKind, Transcription, Vocabulary, beat_score};
 use crate::gsl::Shape;
 
 /// Figures of a transcription.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Statistics {
     /// Length from the first to the last annotation, seconds.
     pub length_secs: f64,
@@ -45,7 +47,7 @@ pub struct Statistics {
 }
 
 /// Count of the annotations with one value.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Tally {
     /// Value; `none` for annotations without one.
     pub name: &'static str,
@@ -54,7 +56,8 @@ pub struct Tally {
 }
 
 /// Durations of the phases of one kind.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Durations {
     /// Kind.
     pub name: &'static str,

@@ -3,6 +3,7 @@
 mod anvil;
 mod elan;
 mod gsl;
+mod plain;
 mod random;
 mod replay;
 mod telling;
