@@ -29,7 +29,7 @@ export function captionsButton(words: ControlWords, isOn: boolean, toggle: () =>
   return html`<button part="button captions-button" aria-label=${words.captions} aria-pressed=${isOn ? 'true' : 'false'} title="${words.captions} (C)" @click=${toggle}>${icons.captions}</button>`;
 }
 
-/** Where each key moves the focus among `count` entries. */
+/** Targets of the keys that move the focus among `count` entries. */
 const MOVES: Readonly<Record<string, (at: number, count: number) => number>> = {
   ArrowDown: (at, count) => (at + 1) % count,
   ArrowUp: (at, count) => (at - 1 + count) % count,

@@ -27,7 +27,7 @@ export interface BarState {
   readonly muted: boolean;
   readonly rate: number;
   readonly captions: boolean;
-  /** What captions can be chosen, where there is more than one language. */
+  /** Captions to choose from, if there is more than one language. */
   readonly choices: readonly CaptionChoice[];
   readonly fullscreen: boolean;
   readonly canFullscreen: boolean;

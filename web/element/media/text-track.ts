@@ -31,7 +31,7 @@ interface CueChange {
 /** Cues in order of time; of two that begin together the longer one is first. */
 const byTime = (a: TextTrackCue, b: TextTrackCue): number => a.startTime - b.startTime || b.endTime - a.endTime;
 
-/** What a track is said to be. */
+/** Kind, label and language of a track. */
 export interface TrackAbout {
   readonly kind: TextTrackKind;
   readonly label: string;
