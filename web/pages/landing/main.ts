@@ -24,6 +24,15 @@ const address = (story: string): string => `assets/stories/${story}/story.eml`;
 /** Returns the name of a story in the address: its folder's name. */
 const short = (button: HTMLButtonElement): string => button.dataset['story']?.split('/').at(-1) ?? '';
 
+/** Offers the subtitles of a story in a language; none without. */
+function offerSubtitles(of: HTMLElement, story: string, language: string | undefined): void {
+  for (const track of of.querySelectorAll('track')) track.remove();
+  if (language === undefined) return;
+  const label = new Intl.DisplayNames(language, { type: 'language' }).of(language) ?? language;
+  const src = `assets/stories/${story}/subtitles.${language}.vtt`;
+  of.append(Object.assign(document.createElement('track'), { kind: 'subtitles', srclang: language, label, src }));
+}
+
 /** Loads a story; an address with `#white-rabbit` selects one too, and `#white-rabbit/papous` also the storyteller. */
 function choose(name: string): void {
   const button = buttons.find((b) => short(b) === name);
@@ -32,6 +41,7 @@ function choose(name: string): void {
   for (const b of buttons) b.setAttribute('aria-pressed', String(b === button));
   player.label = button.dataset['title'] ?? story;
   const src = address(story);
+  offerSubtitles(player, story, button.dataset['subtitles']);
   // A text of the visitor may have replaced the story.
   if (owned) shown?.tell(undefined);
   // Setting the same URL again reloads its story.
