@@ -71,6 +71,13 @@ fn perform(output: &mut Output<'_>, group: usize) {
 }
 
 fn add(output: &mut Output<'_>, index: usize, behaviour: &Behaviour<'_>) {
+    // Phases of gestures depend on words of their own.
+    if !matches!(
+        behaviour.kind,
+        Kind::Speech | Kind::Gesture | Kind::Pointing | Kind::Locomotion | Kind::Wait
+    ) {
+        output.check_end(index);
+    }
     match behaviour.kind {
         Kind::Speech => speech::add(output, index),
         Kind::Gesture => gesture::add_gesture(output, index),

@@ -69,6 +69,17 @@ impl<'r> Output<'r> {
         crate::script::rounded(secs.max(0.0))
     }
 
+    /// Reports a behaviour whose start and end depend on different words: its length is then
+    /// unknown, and it lasts as long as usual.
+    pub(super) fn check_end(&mut self, index: usize) {
+        let [start, end] = [Point::Start, Point::End].map(|point| self.when(index, point));
+        if end.secs_since(&start).is_none() {
+            let tag = self.behaviour(index).element.tag;
+            let message = "start and end depend on different words; it lasts as long as usual";
+            self.lost(index, "bml::end", tag, message);
+        }
+    }
+
     /// Adds a clause at a sync point. Beyond the limit of a script, nothing is added, and reported
     /// once.
     pub(super) fn push(&mut self, index: usize, point: Point, kind: ClauseKind) {

@@ -50,7 +50,7 @@ pub struct Mapping {
 
 impl Mapping {
     /// Reads a mapping file: lines `TRACK = TIER`, `TRACK.ATTRIBUTE = TIER` and `value NAME = WORD`;
-    /// `#` starts a comment.
+    /// lines that begin with `#` are comments.
     ///
     /// ```text
     /// words = W-Spch
@@ -64,8 +64,9 @@ impl Mapping {
         for line in text.split_inclusive('\n') {
             let start = at;
             at += line.len();
-            let content = line.split('#').next().unwrap_or_default().trim();
-            if content.is_empty() {
+            let content = line.trim_start_matches('\u{feff}').trim();
+            // Names of tiers may contain the sign.
+            if content.is_empty() || content.starts_with('#') {
                 continue;
             }
             match content

@@ -188,7 +188,7 @@ fn check_hands(layer: &Layer, phrase: &Phrase, problems: &mut Vec<Diagnostic>) {
         Some(Hands::Both) | None => return,
     };
     for phase in layer.phases_of(phrase) {
-        if phase.form.moves_only(resting) {
+        if phase.form.has_only(resting) {
             let message = "the form is of the hand that does not take part";
             report(problems, "gestura::hands", phase.span, message.into());
         }

@@ -72,18 +72,30 @@ impl<F: Feature> Noted<F> {
 }
 
 impl Form {
+    /// Returns true if a feature is given for one hand only, the one on a side.
+    #[must_use]
+    pub fn has_only(&self, side: Side) -> bool {
+        let is_only = |moved: [bool; 2]| moved[side.index()] && !moved[side.opposite().index()];
+        self.hands().into_iter().any(is_only)
+    }
+
     /// Returns true if only one hand has a form, the one on a side.
     #[must_use]
     pub fn moves_only(&self, side: Side) -> bool {
-        let hands = [
+        let hands = self.hands();
+        let any = |side: Side| hands.iter().any(|moved| moved[side.index()]);
+        any(side) && !any(side.opposite())
+    }
+
+    /// Returns the hands that each feature moves, by [`Side::index`].
+    fn hands(&self) -> [[bool; 2]; 5] {
+        [
             hands(self.source.as_ref()),
             hands(self.target.as_ref()),
             hands(self.motion.as_ref()),
             hands(self.hand_shapes.as_ref()),
             hands(self.palm_orientations.as_ref()),
-        ];
-        let any = |side: Side| hands.iter().any(|moved| moved[side.index()]);
-        any(side) && !any(side.opposite())
+        ]
     }
 }
 

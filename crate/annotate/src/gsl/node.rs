@@ -242,6 +242,10 @@ impl<'a> Lexer<'a> {
             return Err(self.error("gsl::number", sign + digits, message, ""));
         }
         self.at += sign + digits;
+        let spaces = self.rest().len() - self.rest().trim_start().len();
+        if self.rest().trim_start().starts_with(['%', 's', 'S']) {
+            self.at += spaces;
+        }
         let unit = if self.rest().starts_with('%') {
             self.at += 1;
             Unit::Percent

@@ -24,6 +24,12 @@ pub(super) fn includes(hands: Hands, side: Side) -> bool {
     }
 }
 
+/// Returns true if a value is for a hand that takes part.
+pub(super) fn moves<F>(value: &Value<F>, hands: Hands) -> bool {
+    let mut sides = Side::BOTH.into_iter().filter(|side| includes(hands, *side));
+    sides.any(|side| value.for_hand(side).is_some())
+}
+
 /// Returns the hands that the forms of phases name; `None` if none does.
 pub(super) fn named(phases: &[Phase]) -> Option<Hands> {
     let mut both = phases.iter().filter(|phase| per_hand(&phase.form));

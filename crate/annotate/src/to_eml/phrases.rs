@@ -210,7 +210,8 @@ fn fill(planned: &mut Planned<'_>, problems: &mut Vec<Diagnostic>) {
             );
             note("gestura::late", message);
         }
-        let motion = phase::motion(&phase.form);
+        let hands = planned.hands;
+        let motion = phase::motion(&phase.form).filter(|value| hands::moves(value, hands));
         let is_stroke = phase.kind == PhaseKind::Stroke;
         if is_stroke && motion.is_none() {
             let value = position.clone().unwrap_or_else(|| {

@@ -146,3 +146,21 @@ fn malformed_files_are_reported_within_their_text() {
         assert!(errors.is_empty(), "{errors:?}\n{variant}\n{text}");
     }
 }
+
+#[test]
+fn an_end_at_another_word_than_the_start_is_told() {
+    let face = |open: &str, close: &str| {
+        let body = format!(
+            "<speech id='s'><text>a <sync id='m'/>b c</text></speech>{open}<faceLexeme id='f' \
+             lexeme='SMILE' start='s:start' end='s:m'/>{close}"
+        );
+        let imported = bml(&body);
+        let problem = imported
+            .diagnostics
+            .into_iter()
+            .find(|d| d.code == "bml::end");
+        problem.expect("the end is told").severity
+    };
+    assert_eq!(face("", ""), Severity::Warning);
+    assert_eq!(face("<required>", "</required>"), Severity::Error);
+}

@@ -111,8 +111,8 @@ fn slots_without_times_and_chains_share_the_time_evenly() {
 fn a_mapping_names_tiers_and_values() {
     let mut problems = Vec::new();
     let mapping = Mapping::read(
-        "# ours\nwords = tokens\ngesticulation.phases.right = phase\n\
-         gesticulation.phases.right.motion = gloss\nvalue stroke = hold # odd\n",
+        "\u{feff}# ours\nwords = tokens\ngesticulation.phases.right = phase\n\
+         gesticulation.phases.right.motion = gloss\nvalue stroke = hold #1\n",
         &mut problems,
     );
     assert_eq!(problems, []);

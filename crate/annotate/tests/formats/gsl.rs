@@ -72,6 +72,7 @@ fn the_feature_decides_what_a_list_means() {
     let timed = common(vec![(Some(Offset::Secs(0.0)), Shape(24))]);
     assert_eq!(parse("[0.0;24]"), timed);
     assert_eq!(parse("[0s;24]"), timed);
+    assert_eq!(parse("[ 0 s ; 24 ]"), timed);
     assert_eq!(parse("[[0;24]]"), timed);
     let at = common(vec![(Some(Offset::Secs(0.0)), Position([1.0, 2.0, 3.0]))]);
     assert_eq!(parse("[0;[1;2;3]]"), at);

@@ -129,3 +129,28 @@ fn gestures_of_other_classes_are_animations() {
     );
     assert_eq!(script(&unnamed).1, ["gestura::no-animation"]);
 }
+
+#[test]
+fn a_form_of_the_resting_hand_is_told_and_replaced() {
+    let stroke = element(
+        "gesticulation.phases.layer1",
+        "type='primary'",
+        "start='1' end='2'",
+        &[
+            ("phase", "stroke"),
+            ("motion", "LH=[8;12;13]"),
+            ("hand-shapes", "24"),
+        ],
+    );
+    let phrase = element(
+        "gesticulation.phrases.layer1",
+        "type='span' ref='gesticulation.phases.layer1'",
+        "start='0' end='0'",
+        &[("phrase", "iconic"), ("handedness", "RH")],
+    );
+    let (eml, told) = script(&(stroke + &phrase));
+    for code in ["gestura::hands", "gestura::no-position"] {
+        assert!(told.contains(&code), "{code}: {told:?}");
+    }
+    assert!(!eml.contains("hand='left'"), "{eml}");
+}
