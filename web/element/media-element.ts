@@ -12,7 +12,7 @@ import { Ranges, without } from './base/ranges.js';
 import type { Lesson } from './lesson/lesson.js';
 import type { StoryLoader } from './story/story-loader.js';
 import type { StoryTextTrack } from './media/text-track.js';
-import { TrackElements } from './captions/track-elements.js';
+import { TrackElements } from './subtitles/track-elements.js';
 import { StoryTextTracks } from './media/text-tracks.js';
 import type { PlayerError } from './base/types.js';
 

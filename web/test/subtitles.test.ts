@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { cuesOf } from '../element/captions/vtt.js';
+import { cuesOf } from '../element/subtitles/vtt.js';
 import { nameOf } from '../element/controls/caption-menu.js';
 import { StoryTextTracks } from '../element/media/text-tracks.js';
 
