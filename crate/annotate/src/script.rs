@@ -4,6 +4,9 @@ use raconteur_eml::{
     Clause, ClauseId, ClauseKind, Diagnostic, Document, Group, Name, NameTerm, Span, TimeExpr,
 };
 
+/// SABLE's emphasis of text outside `emph`.
+pub(crate) const UNSTRESSED: f64 = 0.5;
+
 /// Script under construction, with the problems met on the way.
 #[derive(Default)]
 pub(crate) struct Builder {

@@ -4,10 +4,7 @@ use raconteur_eml::{ClauseKind, MarkEvent, Name, Span, TextSegment, VoiceText};
 
 use super::behaviour::Point;
 use super::output::Output;
-use crate::script::permitted;
-
-/// SABLE's emphasis of text outside `emph`.
-const UNSTRESSED: f64 = 0.5;
+use crate::script::{UNSTRESSED, permitted};
 
 /// Adds a speech.
 pub(super) fn add(output: &mut Output<'_>, index: usize) {

@@ -109,6 +109,15 @@ pub struct Word {
     pub span: Span,
 }
 
+impl Word {
+    /// Returns true if it is spoken: not a sign for a pause or a noise, such as `[laughs]`.
+    #[must_use]
+    pub fn is_spoken(&self) -> bool {
+        let is_sign = self.token.starts_with(['[', '<', '(', '{']);
+        !is_sign && self.token.contains(char::is_alphanumeric)
+    }
+}
+
 /// Short utterance that communicates one idea (C.3.2).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Utterance {

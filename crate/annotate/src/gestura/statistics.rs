@@ -81,7 +81,6 @@ impl Statistics {
         let phases = || layers.iter().flat_map(|layer| &layer.phases);
         let phrases = || layers.iter().flat_map(|layer| &layer.phrases);
         let words = &transcription.words;
-        let is_word = |token: &str| token.contains(char::is_alphanumeric);
         let scores = layers.iter().flat_map(|layer| {
             layer
                 .phrases
@@ -102,7 +101,7 @@ impl Statistics {
         let gestures = transcription.gestures.len();
         Self {
             length_secs: length_secs(transcription),
-            words: words.iter().filter(|word| is_word(&word.token)).count(),
+            words: words.iter().filter(|word| word.is_spoken()).count(),
             utterances: transcription.utterances.len(),
             gestures: if gestures == 0 {
                 phrases().count()

@@ -19,7 +19,7 @@ pub(super) struct Anchors {
 impl Anchors {
     pub(super) fn new(transcription: &Transcription, anchoring: Anchoring) -> Self {
         let words = transcription.words.iter().enumerate();
-        let spoken = words.filter(|(_, word)| is_spoken(&word.token));
+        let spoken = words.filter(|(_, word)| word.is_spoken());
         let mut starts: Vec<(f64, usize)> = match anchoring {
             Anchoring::Words => spoken
                 .map(|(i, word)| (word.interval.start_secs, i))
@@ -77,10 +77,4 @@ impl Anchors {
 
 fn name(word: usize) -> Name {
     format!("w{word}").into()
-}
-
-/// Returns true if a token is a word, not a sign for a pause or a noise.
-pub(super) fn is_spoken(token: &str) -> bool {
-    let is_sign = token.starts_with(['[', '<', '(', '{']);
-    !is_sign && token.contains(char::is_alphanumeric)
 }

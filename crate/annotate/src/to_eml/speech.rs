@@ -4,10 +4,10 @@ use std::ops::RangeInclusive;
 
 use raconteur_eml::{ClauseKind, DivKind, MarkEvent, Name, Span, TextSegment, TimeExpr, VoiceText};
 
-use super::anchors::{Anchors, is_spoken};
+use super::anchors::Anchors;
 use super::prosody;
 use crate::gestura::Transcription;
-use crate::script::{Builder, after, seconds};
+use crate::script::{Builder, UNSTRESSED, after, seconds};
 
 /// Silence that ends an utterance where none is annotated, seconds.
 const PAUSE_SECS: f64 = 0.6;
@@ -127,8 +127,9 @@ fn text(
 ) -> Vec<TextSegment> {
     let words = spoken.words.clone();
     let tokens: Vec<(usize, &str)> = words
-        .map(|word| (word, transcription.words[word].token.as_str()))
-        .filter(|(_, token)| is_spoken(token))
+        .map(|index| (index, &transcription.words[index]))
+        .filter(|(_, word)| word.is_spoken())
+        .map(|(index, word)| (index, word.token.as_str()))
         .collect();
     let joined = || {
         let tokens: Vec<&str> = tokens.iter().map(|(_, token)| *token).collect();
@@ -206,9 +207,6 @@ fn push_text(pieces: &mut Vec<TextSegment>, text: &str) {
         });
     }
 }
-
-/// SABLE's emphasis of text outside `emph`.
-const UNSTRESSED: f64 = 0.5;
 
 fn mark(name: Name) -> TextSegment {
     TextSegment::Mark {

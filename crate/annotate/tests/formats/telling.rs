@@ -154,3 +154,15 @@ fn a_form_of_the_resting_hand_is_told_and_replaced() {
     }
     assert!(!eml.contains("hand='left'"), "{eml}");
 }
+
+#[test]
+fn noises_are_neither_spoken_nor_counted() {
+    let text = "<annotation><body><track name='words'><el start='0' end='1'><attribute \
+                name='token'>[laughs]</attribute></el><el start='1' end='2'><attribute \
+                name='token'>goat</attribute></el></track></body></annotation>";
+    let read = raconteur_annotate::read_transcription(text.as_bytes(), None);
+    let counted = raconteur_annotate::gestura::Statistics::new(&read.transcription).words;
+    assert_eq!(counted, 1);
+    let eml = raconteur_eml::write(&import(text.as_bytes(), None, Anchoring::Words).document);
+    assert!(eml.contains("goat") && !eml.contains("laughs"), "{eml}");
+}

@@ -15,7 +15,7 @@ use crate::story::MAX_BUNDLE_BYTES;
 use crate::{Outcome, report, terminal};
 
 /// Maximum length of a file, bytes.
-const MAX_BYTES: u64 = 16 << 20;
+pub(super) const MAX_BYTES: u64 = 16 << 20;
 
 /// Convert a transcription of gestures into a story.
 ///

@@ -13,11 +13,9 @@ use raconteur_annotate::{Read, anvil, read_transcription};
 use raconteur_voice::files::{disk, input};
 use serde_json::{Value, json};
 
-use crate::commands::import::mapping;
+use crate::commands::import::{MAX_BYTES, mapping};
 use crate::{Format, Outcome, report, terminal};
 
-/// Maximum length of a file, bytes.
-const MAX_BYTES: u64 = 16 << 20;
 /// Number of hand shapes in the table.
 const SHAPES_SHOWN: usize = 12;
 
