@@ -111,13 +111,17 @@ test('markup is plain text', async ({ stage }) => {
   expect(await shown(stage).evaluate((box) => [...box.querySelectorAll('*')].map(({ localName }) => localName))).toEqual(['span']);
 });
 
-test('a script sets the mode; one track is shown at a time', async ({ stage }) => {
+test('a script sets the modes; the own captions give way', async ({ stage }) => {
   await open(stage, pt + de);
   expect(await modes(stage)).toEqual(['captions en showing', 'subtitles pt disabled', 'captions de disabled']);
   await setMode(stage, 'de', 'showing');
   await expect(shown(stage)).toHaveText('Hallo Welt!');
   expect(await modes(stage)).toEqual(['captions en disabled', 'subtitles pt disabled', 'captions de showing']);
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.textTracks.getTrackById('german')?.label)).toBe('Deutsch');
+  await setMode(stage, 'pt', 'showing');
+  await expect(shown(stage)).toHaveText(['Olá, mundo!Sou a Sofia & conto.', 'Hallo Welt!']);
+  const [upper, lower] = await Promise.all((await shown(stage).all()).map((box) => box.boundingBox()));
+  expect((upper?.y ?? 0) + (upper?.height ?? 0)).toBeLessThanOrEqual(lower?.y ?? 0);
   await setMode(stage, 'pt', 'hidden');
   await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.textTracks[1]?.cues?.length)).toBe(2);
   await expect(shown(stage)).toHaveText('Hallo Welt!');
@@ -164,7 +168,7 @@ test('elements come, change and go; the language stays with another story', asyn
   await expect(shown(stage)).toHaveText('Hallo Welt!');
   await stage.player.evaluate((p: RaconteurPlayer) => p.querySelector('track')?.setAttribute('label', 'Brasileiro'));
   await expect(shown(stage)).toHaveAttribute('lang', 'pt');
-  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.textTracks.shown?.label)).toBe('Brasileiro');
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.textTracks.shown[0]?.label)).toBe('Brasileiro');
 
   await stage.player.evaluate((p: RaconteurPlayer) => {
     p.querySelector('track')?.remove();

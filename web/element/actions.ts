@@ -40,11 +40,7 @@ export function actionsOf(player: RaconteurPlayer, context: PlayerContext): KeyA
       say(on ? captionsOn : captionsOff);
     },
     chooseCaptions: (track) => {
-      const { textTracks } = player;
-      const { shown } = textTracks;
-      // As a page would, so that it is told in the same way.
-      if (track !== undefined) track.mode = 'showing';
-      else if (shown !== undefined) shown.mode = 'disabled';
+      player.textTracks.select(track);
       say(track === undefined ? wordsFor(player).captionsOff : wordsFor(player).captionsOn);
     },
     captionMenu: new CaptionMenu(player),

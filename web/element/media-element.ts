@@ -358,7 +358,7 @@ export abstract class MediaElement extends PromptElement {
     return this.#outputs.size.height;
   }
 
-  /** The story's captions, if there is a story, those of `<track>` elements between the tags, and tracks added by `addTextTrack`. One of the kinds `subtitles` and `captions` is shown at a time. */
+  /** The story's captions, if there is a story, those of `<track>` elements between the tags, and tracks added by `addTextTrack`. Those whose mode is `showing` are displayed, if they are subtitles or captions; the story's own captions give way to others. */
   get textTracks(): StoryTextTracks {
     return this.#tracks;
   }

@@ -61,13 +61,13 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
     ${questioner.lesson.asked === undefined ? nothing : html`<div class="growth"></div>`}`;
 }
 
-/** True if a track of the page is shown instead of the story's own captions. */
-const isForeign = ({ textTracks: { shown, own } }: RaconteurPlayer): boolean => shown !== undefined && shown !== own;
+/** True if tracks of the page are shown instead of the story's own captions. */
+const isForeign = ({ textTracks: { shown, own } }: RaconteurPlayer): boolean => shown.some((track) => track !== own);
 
-/** Returns the text of the track that is shown. */
-function text({ player, caption }: TemplateState): TemplateResult | typeof nothing {
+/** Returns the texts of the tracks that are shown. */
+function text({ player, caption }: TemplateState): unknown {
   const { shown, own } = player.textTracks;
-  return isForeign(player) ? controls.subtitle(shown?.activeCues ?? [], shown?.language ?? '') : controls.caption(caption, own?.language ?? '');
+  return isForeign(player) ? shown.map(({ activeCues, language }) => controls.subtitle(activeCues ?? [], language)) : controls.caption(caption, own?.language ?? '');
 }
 
 /** Starts the story and moves the focus from the vanishing button, so that keyboard users can continue. */
@@ -109,9 +109,9 @@ function choicesOf(player: RaconteurPlayer, { chooseCaptions }: controls.BarActi
     return {
       label: isNamed ? track.label : name || words.captions,
       language: isNamed || !name ? undefined : track.language,
-      isChosen: track === shown,
+      isChosen: shown.includes(track),
       choose: () => chooseCaptions(track),
     };
   });
-  return [{ label: words.noCaptions, language: undefined, isChosen: shown === undefined, choose: () => chooseCaptions(undefined) }, ...tracks];
+  return [{ label: words.noCaptions, language: undefined, isChosen: shown.length === 0, choose: () => chooseCaptions(undefined) }, ...tracks];
 }

@@ -43,7 +43,7 @@ it('a language is named as its speakers name it', () => {
   expect(['pt', 'de-AT', 'fr', '', 'not a tag'].map(nameOf)).toEqual(['Português', 'Österreichisches Deutsch', 'Français', '', '']);
 });
 
-describe('of the tracks, one is shown', () => {
+describe('of the tracks, these are shown', () => {
   /** Returns a list with tracks of languages, and what it tells the player. */
   const list = (...languages: string[]) => {
     const told: boolean[] = [];
@@ -52,10 +52,10 @@ describe('of the tracks, one is shown', () => {
       () => undefined,
     );
     const added = languages.map((language) => tracks.addElement({ kind: 'subtitles', label: '', language }, false));
-    return { tracks, added, told, shown: () => tracks.shown?.language };
+    return { tracks, added, told, shown: () => tracks.shown.map(({ language }) => language).join(' ') };
   };
 
-  it('the one of the mode showing, instead of the others', () => {
+  it('those of the mode showing, instead of the own captions', () => {
     const { tracks, added, told, shown } = list('pt', 'de');
     tracks.setStory('en', true);
     const [pt, de] = added;
@@ -65,11 +65,32 @@ describe('of the tracks, one is shown', () => {
     pt.mode = 'showing';
     expect([shown(), tracks.own?.mode, de.mode, told]).toEqual(['pt', 'disabled', 'hidden', [true]]);
     de.mode = 'showing';
-    expect([shown(), pt.mode]).toEqual(['de', 'disabled']);
+    expect([shown(), pt.mode, told]).toEqual(['pt de', 'showing', [true, true]]);
+    pt.mode = 'hidden';
+    expect([shown(), told]).toEqual(['de', [true, true, true]]);
     de.mode = 'hidden';
-    expect([shown(), told]).toEqual([undefined, [true, true, false]]);
+    expect([shown(), told]).toEqual(['', [true, true, true, false]]);
     tracks.setShown(true);
     expect(shown()).toBe('de');
+    pt.mode = 'showing';
+    if (tracks.own !== undefined) tracks.own.mode = 'showing';
+    expect([shown(), pt.mode, de.mode]).toEqual(['en', 'disabled', 'disabled']);
+  });
+
+  it('the one that a user chose, instead of all others', () => {
+    const { tracks, added, told, shown } = list('pt', 'de');
+    tracks.setStory('en', true);
+    const [pt, de] = added;
+    if (pt === undefined || de === undefined) return;
+    pt.mode = de.mode = 'showing';
+    tracks.select(pt);
+    expect([shown(), de.mode]).toEqual(['pt', 'disabled']);
+    tracks.select(undefined);
+    expect([shown(), pt.mode]).toEqual(['', 'disabled']);
+    tracks.setShown(true);
+    expect(shown()).toBe('pt');
+    tracks.select(tracks.own);
+    expect([shown(), told]).toEqual(['en', [true, true, true, false, true]]);
   });
 
   it('that of the story, where a track has nothing to show or goes', () => {
@@ -99,7 +120,7 @@ describe('of the tracks, one is shown', () => {
     tracks.setShown(false);
     tracks.setStory(undefined, false);
     tracks.setStory('en', false);
-    expect(shown()).toBeUndefined();
+    expect(shown()).toBe('');
   });
 
   it('a default one, unless a language was chosen before', () => {

@@ -77,8 +77,11 @@ impl Power {
 pub struct MeasuredSpeech {
     /// Plosive bursts that were found, at their phones.
     pub bursts: Proportion,
-    /// Vowels whose middles are voiced.
+    /// Vowels whose middles are voiced, except final ones.
     pub vowels: Proportion,
+    /// Final vowels whose middles are voiced: the last ones before pauses, in syllables without
+    /// stress. Speakers of some languages whisper them (for Portuguese: doi:10.1159/000439599).
+    pub final_vowels: Proportion,
     speech: Power,
     pauses: Power,
 }
@@ -88,6 +91,7 @@ impl MeasuredSpeech {
     pub fn add(&mut self, other: &Self) {
         self.bursts.add(other.bursts);
         self.vowels.add(other.vowels);
+        self.final_vowels.add(other.final_vowels);
         self.speech.add(other.speech);
         self.pauses.add(other.pauses);
     }
@@ -132,12 +136,29 @@ pub fn measure_speech(
             Manner::Vowel => {
                 let (middle, sixth) = ((from + to) / 2.0, (to - from) / 6.0);
                 let share = track.voiced_share(middle - sixth, middle + sixth);
-                heard.vowels.count(share > 0.0);
+                let vowels = if is_final(utterance, i, phone_set) {
+                    &mut heard.final_vowels
+                } else {
+                    &mut heard.vowels
+                };
+                vowels.count(share > 0.0);
             }
             _ => {}
         }
     }
     heard
+}
+
+/// Returns true if a vowel is the last one before a pause, in a syllable without stress.
+fn is_final(utterance: &Utterance, index: usize, phone_set: &str) -> bool {
+    let rest = utterance.phones.iter().skip(index + 1);
+    let mut rest = rest.take_while(|phone| phone.symbol != SILENCE);
+    let mut syllables = utterance.syllables.iter();
+    let unstressed = syllables.any(|syllable| {
+        let phones = syllable.first_phone..syllable.first_phone + syllable.phones;
+        syllable.stress == 0 && phones.contains(&index)
+    });
+    unstressed && !rest.any(|phone| manner(phone_set, &phone.symbol) == Manner::Vowel)
 }
 
 /// Returns true if the burst of a plosive is at its phone; `None` if there is no clear burst.
@@ -180,7 +201,7 @@ fn burst(
 mod tests {
     use super::*;
     use raconteur_base::ops;
-    use raconteur_speech::bundle::Phone;
+    use raconteur_speech::bundle::{Phone, Syllable};
 
     const RATE_HZ: f64 = 16_000.0;
 
@@ -231,7 +252,18 @@ mod tests {
             heard.pauses_under_db() > 35.0,
             "the pauses are at least 35 dB below the speech"
         );
-        let (_, silent) = spoken(0.08, 0.0);
+        let mut unstressed = utterance;
+        for (first_phone, stress) in [(1, 0), (2, 0)] {
+            let phones = first_phone;
+            unstressed.syllables.push(Syllable {
+                first_phone,
+                phones,
+                stress,
+            });
+        }
+        let heard = measure_speech(&unstressed, "radio", &samples, RATE_HZ);
+        assert_eq!((heard.vowels.of, heard.final_vowels.of), (1, 1));
+        let (utterance, silent) = spoken(0.08, 0.0);
         let heard = measure_speech(&utterance, "radio", &silent, RATE_HZ);
         assert_eq!(heard.vowels.count, 0);
         assert_eq!(Proportion::default().percent(), 100.0);

@@ -77,12 +77,15 @@ fn what_is_heard_is_what_the_bundles_tell() {
         }
         let under = sum.pauses_under_db();
         println!(
-            "{}: bursts {:.1} % of {}, vowels {:.1} % of {}, pauses {under:.1} dB under speech",
+            "{}: bursts {:.1} % of {}, vowels {:.1} % of {}, final ones {:.1} % of {}, pauses \
+             {under:.1} dB under speech",
             folder.display(),
             sum.bursts.percent(),
             sum.bursts.of,
             sum.vowels.percent(),
-            sum.vowels.of
+            sum.vowels.of,
+            sum.final_vowels.percent(),
+            sum.final_vowels.of
         );
         assert!(under >= 35.0, "{}: {under:.1} dB", folder.display());
         all.add(&sum);
@@ -97,8 +100,13 @@ fn what_is_heard_is_what_the_bundles_tell() {
         all.bursts.percent()
     );
     assert!(
-        all.vowels.percent() >= 98.0,
+        all.vowels.percent() >= 99.0,
         "{:.1} %",
         all.vowels.percent()
+    );
+    assert!(
+        all.final_vowels.percent() >= 60.0,
+        "{:.1} %",
+        all.final_vowels.percent()
     );
 }

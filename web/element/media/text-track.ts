@@ -65,7 +65,7 @@ export class StoryTextTrack extends EventTarget {
     this.addEventListener('cuechange', (event) => this.oncuechange?.(event));
   }
 
-  /** Mode of the track. `disabled`: inactive; `hidden`: its cues are dispatched; `showing`: they are also displayed, if they are subtitles or captions, instead of those of another track. */
+  /** Mode of the track. `disabled`: inactive; `hidden`: its cues are dispatched; `showing`: they are also displayed, if they are subtitles or captions, and hide the story's own captions. */
   get mode(): TextTrackMode {
     return this.#mode;
   }

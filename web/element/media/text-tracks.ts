@@ -1,6 +1,7 @@
 /**
- * Text track list of a player (HTML, 4.8.11.11): the story's captions are one track, and pages add others. One of the
- * kinds subtitles and captions is shown at a time, in the language chosen last if there is such a track.
+ * Text track list of a player (HTML, 4.8.11.11): the story's captions are one track, and pages add others. As in a
+ * `<video>`, a script may show several of them; either the story's own captions are displayed or tracks of the page. A
+ * user chooses one, and the language chosen last returns if there is such a track.
  */
 
 import type { Caption } from '../captions/captions.js';
@@ -32,10 +33,10 @@ export class StoryTextTracks extends EventTarget {
   /** The parts of the story, where it has some. */
   #parts: StoryTextTrack | undefined;
   #added: StoryTextTrack[] = [];
-  /** The track that is shown. */
-  #shown: StoryTextTrack | undefined;
-  /** The track of a page that is shown whenever captions are on; undefined for the story's own. */
-  #choice: StoryTextTrack | undefined;
+  /** The tracks that are shown. */
+  #shown: readonly StoryTextTrack[] = [];
+  /** The tracks of a page that are shown whenever captions are on; empty for the story's own. */
+  #choice: readonly StoryTextTrack[] = [];
   /** Language chosen last. */
   #language: string | undefined;
   /** The captions that the story's track has cues of. */
@@ -70,8 +71,8 @@ export class StoryTextTracks extends EventTarget {
     return this.#all.find((track) => id !== '' && track.id === id) ?? null;
   }
 
-  /** The track that is shown, if captions are on. */
-  get shown(): StoryTextTrack | undefined {
+  /** The tracks that are shown, empty if captions are off: the story's own, or some of a page. */
+  get shown(): readonly StoryTextTrack[] {
     return this.#shown;
   }
 
@@ -98,7 +99,7 @@ export class StoryTextTracks extends EventTarget {
     if (isDefault && this.#language === undefined) track.mode = 'showing';
     else {
       this.#return(this.#own?.language);
-      this.#switch(this.#chosen(this.#shown !== undefined));
+      this.#switch(this.#chosen(this.#shown.length > 0));
     }
     return track;
   }
@@ -112,21 +113,21 @@ export class StoryTextTracks extends EventTarget {
 
   /** Disables a track of a page that has nothing to show; the story's own captions take its place. */
   giveUp(track: StoryTextTrack): void {
-    const isShown = track === this.#shown;
-    if (track === this.#choice) this.#choice = undefined;
+    const isShown = this.#shown.includes(track);
+    this.#choice = without(this.#choice, track);
     if (track.disable()) this.#tell();
-    if (isShown) this.#switch(this.#own);
+    if (isShown) this.#switch(this.#chosen(true));
   }
 
   /** Replaces the story's caption track with one in a language; undefined if there is no story. */
   setStory(language: string | undefined, shown: boolean): void {
     const before = this.#own;
     this.#own = this.#of = undefined;
-    if (before !== undefined && before === this.#shown) this.#shown = undefined;
+    if (before !== undefined) this.#shown = without(this.#shown, before);
     if (before !== undefined) this.#changed('removetrack', before);
     if (language === undefined) return;
     this.#return(language);
-    const isShown = shown && this.#choice === undefined;
+    const isShown = shown && this.#choice.length === 0;
     this.#own = new StoryTextTrack({ kind: 'captions', label: 'Captions', language, id: 'story' }, isShown ? 'showing' : 'disabled', (...change) => this.#follow(...change));
     this.#switch(this.#chosen(shown));
     this.#changed('addtrack', this.#own);
@@ -146,7 +147,18 @@ export class StoryTextTracks extends EventTarget {
 
   /** Shows or hides captions: those of the track chosen last. */
   setShown(shown: boolean): void {
-    if (shown !== (this.#shown !== undefined)) this.#switch(this.#chosen(shown));
+    if (shown !== this.#shown.length > 0) this.#switch(this.#chosen(shown));
+  }
+
+  /** Shows the track that a user chose instead of all others, or none. */
+  select(track: StoryTextTrack | undefined): void {
+    if (track === undefined) this.#switch([]);
+    else {
+      this.#language = track.language;
+      this.#choice = track === this.#own ? [] : [track];
+      this.#switch([track]);
+    }
+    this.#show(track !== undefined);
   }
 
   /** Jumps to another time. */
@@ -190,39 +202,48 @@ export class StoryTextTracks extends EventTarget {
       this.#cueAdded();
       return;
     }
-    const isHidden = track === this.#shown && track.mode !== 'showing';
+    const wasShown = this.#shown.includes(track);
     const isShown = isText(track) && track.mode === 'showing';
-    if (isHidden) this.#shown = undefined;
-    if (isShown) this.#choose(track);
-    if (isHidden || isShown) this.#show(isShown);
+    if (isShown) this.#add(track);
+    else if (wasShown) this.#leave(track);
+    if (wasShown || isShown) this.#show(this.#shown.length > 0);
     this.#tell();
   }
 
-  #choose(track: StoryTextTrack): void {
-    this.#choice = track === this.#own ? undefined : track;
+  /** Shows a track that a script shows: with others of the page, or instead of them the story's own. */
+  #add(track: StoryTextTrack): void {
     this.#language = track.language;
-    this.#switch(track);
+    this.#choice = track === this.#own ? [] : [...this.#shown.filter((one) => one !== this.#own && one !== track), track];
+    this.#switch(this.#choice.length === 0 ? [track] : this.#choice);
+  }
+
+  /** Leaves a track out that a script hides; the last one returns with the captions. */
+  #leave(track: StoryTextTrack): void {
+    this.#shown = without(this.#shown, track);
+    if (this.#shown.length > 0) this.#choice = this.#shown;
   }
 
   /** Returns to the language chosen last if another story, whose own language is `own`, does not have it, and a track has. */
   #return(own: string | undefined): void {
     const language = this.#language;
-    if (language === undefined || this.#choice !== undefined || isSame(language, own)) return;
-    this.#choice = this.#added.find((track) => isText(track) && isSame(language, track.language));
+    if (language === undefined || this.#choice.length > 0 || isSame(language, own)) return;
+    this.#choice = this.#added.filter((track) => isText(track) && isSame(language, track.language)).slice(0, 1);
   }
 
-  #chosen(shown: boolean): StoryTextTrack | undefined {
-    return shown ? (this.#choice ?? this.#own) : undefined;
+  /** Returns the tracks to show if captions are on, which may be the story's own. */
+  #chosen(shown: boolean): readonly StoryTextTrack[] {
+    if (!shown) return [];
+    return this.#choice.length > 0 || this.#own === undefined ? this.#choice : [this.#own];
   }
 
-  /** Shows a track instead of the one before. */
-  #switch(track: StoryTextTrack | undefined): void {
+  /** Shows tracks instead of those before. */
+  #switch(tracks: readonly StoryTextTrack[]): void {
     const before = this.#shown;
-    this.#shown = track;
-    const isHidden = before !== track && before?.setShown(false);
-    const isShown = track?.setShown(true);
-    if (isShown || before !== track) this.#cueAdded();
-    if (isHidden || isShown) this.#tell();
+    this.#shown = tracks;
+    const hidden = before.filter((track) => !tracks.includes(track));
+    const changes = [...hidden.map((track) => track.setShown(false)), ...tracks.map((track) => track.setShown(true))];
+    if (changes.includes(true) || hidden.length > 0 || tracks.length !== before.length) this.#cueAdded();
+    if (changes.includes(true)) this.#tell();
   }
 
   #changed(type: 'addtrack' | 'removetrack', track: StoryTextTrack): void {
@@ -246,6 +267,8 @@ export class StoryTextTracks extends EventTarget {
     });
   }
 }
+
+const without = (tracks: readonly StoryTextTrack[], track: StoryTextTrack): readonly StoryTextTrack[] => tracks.filter((one) => one !== track);
 
 /** Returns true for tags of one language, of whatever region. */
 const isSame = (a: string, b: string | undefined): boolean => a.toLowerCase().split('-')[0] === b?.toLowerCase().split('-')[0];

@@ -65,7 +65,7 @@ export class TrackElements implements ReactiveController {
       if (elements.includes(element) && entry.about === aboutOf(element)) continue;
       entry.request?.abort();
       this.#entries.delete(element);
-      const wasShown = entry.track === this.#tracks.shown;
+      const wasShown = this.#tracks.shown.includes(entry.track);
       this.#tracks.remove(entry.track);
       // The same subtitles under another name.
       if (wasShown && elements.includes(element)) this.#add(element).mode = 'showing';

@@ -4,6 +4,7 @@
 mod from_transcription;
 mod read;
 mod specification;
+mod subdivisions;
 mod to_transcription;
 mod write;
 

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 
 use raconteur_eml::{Diagnostic, Span, quoted};
 
+use super::subdivisions;
 use super::{Annotation, Extent, Info, Track, TrackElement, TrackKind};
 use crate::gestura::{
     Attributes, Form, Gesture, GestureClass, Interval, Layer, LevelSpan, Meaning, Noted, Phase,
@@ -23,6 +24,10 @@ pub fn to_transcription(annotation: &Annotation, problems: &mut Vec<Diagnostic>)
         indices: annotation.tracks.iter().map(indices).collect(),
         problems,
     };
+    let outside = subdivisions::check(annotation, |track, element| {
+        converter.interval(track, element, MAX_REFERENCES)
+    });
+    converter.problems.extend(outside);
     let words = converter.words();
     let utterances = converter.utterances(&words);
     let levels = converter.levels(&words, &utterances);

@@ -42,12 +42,24 @@ pub(super) fn repetition(element: &Element) -> u32 {
     count.clamp(1.0, MAX_REPETITIONS) as u32
 }
 
-/// Adds an animation player unless it is there.
-fn player(output: &mut Output<'_>, name: &'static str, group: Option<&str>) {
+/// Adds the animation player of a behaviour unless it is there, and returns its name. A behaviour
+/// that begins before a word or a block has one of its own: a shared one could come too late.
+fn player(
+    output: &mut Output<'_>,
+    index: usize,
+    shared: &'static str,
+    group: Option<&str>,
+) -> String {
+    let is_early = output.when(index, Point::Start).secs < 0.0;
+    let name = if is_early {
+        format!("{shared}-{index}")
+    } else {
+        shared.to_owned()
+    };
     if output.players.contains(&name) {
-        return;
+        return name;
     }
-    output.players.push(name);
+    output.players.push(name.clone());
     let bones = group.map(|group| Bones {
         members: vec![Member {
             kind: MemberKind::Group,
@@ -55,14 +67,18 @@ fn player(output: &mut Output<'_>, name: &'static str, group: Option<&str>) {
         }],
     });
     let player = PlayerAdd {
-        name: Some(name.to_owned()),
+        name: Some(name.clone()),
         kind: PlayerKind::Multiple,
         layers: Some(1),
         bones,
     };
-    output
-        .builder
-        .push(seconds(0.0), ClauseKind::PlayerAdd(player));
+    let add = ClauseKind::PlayerAdd(player);
+    if is_early {
+        output.push(index, Point::Start, add);
+    } else {
+        output.builder.push(seconds(0.0), add);
+    }
+    name
 }
 
 fn push(animation: &str, player: &str, style: Option<AnimationStyle>) -> ClauseKind {
@@ -113,16 +129,12 @@ pub(super) fn add_head(output: &mut Output<'_>, index: usize) {
         let message = "a movement of the head has its own length; only its start is kept";
         output.lost(index, "bml::length", element.tag, message);
     }
-    player(output, HEAD_PLAYER, Some("head"));
+    let player = player(output, index, HEAD_PLAYER, Some("head"));
     let style = AnimationStyle {
         style: PlaybackStyle::TemporaryIterations,
         iterations,
     };
-    output.push(
-        index,
-        Point::Start,
-        push(animation, HEAD_PLAYER, Some(style)),
-    );
+    output.push(index, Point::Start, push(animation, &player, Some(style)));
 }
 
 /// Returns the meaning of an attribute by a table. Reports an unknown or missing value.
@@ -185,10 +197,10 @@ pub(super) fn add_posture(output: &mut Output<'_>, index: usize) {
         let Some(animation) = named(output, index, part, (attribute, table)) else {
             continue;
         };
-        player(output, BODY_PLAYER, None);
-        output.push(index, Point::Start, push(animation, BODY_PLAYER, None));
+        let player = player(output, index, BODY_PLAYER, None);
+        output.push(index, Point::Start, push(animation, &player, None));
         if behaviour.kind == Kind::Posture {
-            output.push(index, Point::Relax, pop(BODY_PLAYER));
+            output.push(index, Point::Relax, pop(&player));
         }
     }
     if count == 0 {
@@ -240,10 +252,10 @@ pub(super) fn add_locomotion(output: &mut Output<'_>, index: usize) {
         args: Some(FunctionArgs { args: args.into() }),
         ..VhMove::default()
     };
-    player(output, WALK_PLAYER, None);
-    output.push(index, Point::Start, push("walk", WALK_PLAYER, None));
+    let player = player(output, index, WALK_PLAYER, None);
+    output.push(index, Point::Start, push("walk", &player, None));
     output.push(index, Point::Start, ClauseKind::VhMove(motion));
-    output.push(index, Point::End, pop(WALK_PLAYER));
+    output.push(index, Point::End, pop(&player));
 }
 
 /// Adds a wait: the script goes on at least until its end.

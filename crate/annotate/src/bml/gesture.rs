@@ -177,6 +177,7 @@ fn add_phases(output: &mut Output<'_>, index: usize, stroke: &Stroke) {
         (Point::StrokeEnd, Point::Relax, Phase::PostStroke),
         (Point::Relax, Point::End, Phase::Retraction),
     ];
+    output.check_lengths(index, phases.map(|(from, to, _)| (from, to)));
     for (from, to, phase) in phases {
         let length_secs = output.length_secs(index, from, to);
         if length_secs < MIN_SECS && phase != Phase::Stroke {

@@ -21,7 +21,7 @@ mod times;
 use raconteur_eml::{ClauseKind, Diagnostic, Document, Group};
 
 use crate::xml::Element;
-use behaviour::{Behaviour, Kind};
+use behaviour::{Behaviour, Kind, Point};
 use output::Output;
 
 /// Name of the root element of a block.
@@ -39,6 +39,10 @@ pub(crate) fn convert(root: &Element, problems: &mut Vec<Diagnostic>) -> Documen
         root.all(ROOT).collect()
     };
     let mut reading = read::read(&blocks, problems);
+    if reading.behaviours.is_empty() {
+        let message = "no behaviour is to be performed";
+        problems.push(Diagnostic::warning("bml::empty", root.tag, message));
+    }
     reference::link(&mut reading, problems);
     let times = times::resolve(&reading, problems);
     let mut output = Output::new(&reading, times);
@@ -71,12 +75,12 @@ fn perform(output: &mut Output<'_>, group: usize) {
 }
 
 fn add(output: &mut Output<'_>, index: usize, behaviour: &Behaviour<'_>) {
-    // Phases of gestures depend on words of their own.
+    // Each phase of a gesture has its own.
     if !matches!(
         behaviour.kind,
         Kind::Speech | Kind::Gesture | Kind::Pointing | Kind::Locomotion | Kind::Wait
     ) {
-        output.check_end(index);
+        output.check_lengths(index, [(Point::Start, Point::End)]);
     }
     match behaviour.kind {
         Kind::Speech => speech::add(output, index),

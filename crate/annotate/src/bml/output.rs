@@ -22,7 +22,7 @@ pub(super) struct Output<'r> {
     /// Hands, start and end of the latest gestures.
     pub(super) gestures: Vec<(Handedness, When, When)>,
     /// Animation players added so far.
-    pub(super) players: Vec<&'static str>,
+    pub(super) players: Vec<String>,
 }
 
 impl<'r> Output<'r> {
@@ -69,11 +69,18 @@ impl<'r> Output<'r> {
         crate::script::rounded(secs.max(0.0))
     }
 
-    /// Reports a behaviour whose start and end depend on different words: its length is then
-    /// unknown, and it lasts as long as usual.
-    pub(super) fn check_end(&mut self, index: usize) {
-        let [start, end] = [Point::Start, Point::End].map(|point| self.when(index, point));
-        if end.secs_since(&start).is_none() {
+    /// Reports a behaviour with a part whose start and end depend on different words: its length
+    /// is then unknown, and it lasts as long as usual.
+    pub(super) fn check_lengths(
+        &mut self,
+        index: usize,
+        parts: impl IntoIterator<Item = (Point, Point)>,
+    ) {
+        let is_known = |(from, to): (Point, Point)| {
+            let (from, to) = (self.when(index, from), self.when(index, to));
+            to.secs_since(&from).is_some()
+        };
+        if !parts.into_iter().all(is_known) {
             let tag = self.behaviour(index).element.tag;
             let message = "start and end depend on different words; it lasts as long as usual";
             self.lost(index, "bml::end", tag, message);

@@ -64,6 +64,8 @@ impl Mapping {
         for line in text.split_inclusive('\n') {
             let start = at;
             at += line.len();
+            let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
+            let span = Span::new(place(start), place(start + line.trim_end().len()));
             let content = line.trim_start_matches('\u{feff}').trim();
             // Names of tiers may contain the sign.
             if content.is_empty() || content.starts_with('#') {
@@ -74,14 +76,16 @@ impl Mapping {
                 .map(|(name, value)| (name.trim(), value.trim()))
             {
                 Some((name, value)) if !name.is_empty() && !value.is_empty() => {
-                    match name.strip_prefix("value ") {
+                    let before = match name.strip_prefix("value ") {
                         Some(name) => mapping.values.insert(letters(name), value.to_owned()),
                         None => mapping.tiers.insert(name.to_owned(), value.to_owned()),
                     };
+                    if let Some(before) = before.filter(|before| before != value) {
+                        let message = format!("{} was {} before", quoted(name), quoted(&before));
+                        problems.push(Diagnostic::warning("elan::mapping", span, message));
+                    }
                 }
                 _ => {
-                    let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
-                    let span = Span::new(place(start), place(start + line.trim_end().len()));
                     let message = "expected `TRACK = TIER` or `value NAME = WORD`";
                     problems.push(Diagnostic::error("elan::mapping", span, message));
                 }
@@ -131,7 +135,9 @@ pub fn to_annotation(elan: &Elan, mapping: &Mapping, problems: &mut Vec<Diagnost
             .iter()
             .find(|t| t.name.eq_ignore_ascii_case(tier))
         else {
-            let message = format!("the file has no tier {}", quoted(tier));
+            let (tier, name) = (quoted(tier), quoted(name));
+            let message =
+                format!("the file has no tier {tier}, which the mapping gives for {name}");
             let names: Vec<String> = elan.tiers.iter().map(|tier| quoted(&tier.name)).collect();
             let hint = format!("its tiers are {}", names.join(", "));
             let problem = Diagnostic::error("elan::no-tier", Span::new(0, 0), message);

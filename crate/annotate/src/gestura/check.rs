@@ -136,6 +136,10 @@ fn check_layer(transcription: &Transcription, layer: &Layer, problems: &mut Vec<
         check_gesture(transcription, layer, phrase, problems);
     }
     for (index, phase) in layer.phases.iter().enumerate() {
+        if phase.interval.length_secs() <= 0.0 {
+            let message = format!("the {} has no length", phase.kind.word());
+            report(problems, "gestura::no-length", phase.span, message);
+        }
         if !taken.contains(&index) {
             let message = format!("the {} belongs to no phrase", phase.kind.word());
             report(problems, "gestura::no-phrase", phase.span, message);

@@ -1,6 +1,6 @@
 //! Faults of BML files: losses, wrong times and malformed text.
 
-use raconteur_eml::{Severity, parse, write};
+use raconteur_eml::{ClauseKind, Severity, parse, write};
 
 use super::{EVERYTHING, bml, codes, read, timeline};
 
@@ -163,4 +163,47 @@ fn an_end_at_another_word_than_the_start_is_told() {
     };
     assert_eq!(face("", ""), Severity::Warning);
     assert_eq!(face("<required>", "</required>"), Severity::Error);
+    for times in [
+        "start='s:start' end='s:m'",
+        "stroke='s:m' end='s:end'",
+        "strokeStart='s:m' strokeEnd='s:end'",
+    ] {
+        let body = format!(
+            "<speech id='s'><text>a <sync id='m'/>b c</text></speech><gesture id='g' \
+             lexeme='BEAT' {times}/>"
+        );
+        let told = bml(&body).diagnostics;
+        assert!(told.iter().any(|d| d.code == "bml::end"), "{times}");
+    }
+    let known = "<speech id='s'><text>a <sync id='m'/>b c</text></speech><gesture id='g' \
+                 lexeme='BEAT' start='s:m' end='s:m+3'/>";
+    assert_eq!(codes(&bml(known)), [""; 0]);
+}
+
+#[test]
+fn a_movement_that_begins_before_its_word_has_its_animation_player() {
+    let body = "<speech id='s'><text>a <sync id='m'/>b</text></speech><head id='h' lexeme='NOD' \
+                start='s:m-9'/><head id='k' lexeme='NOD' start='s:m'/>";
+    let (document, timeline) = timeline(&bml(body).document);
+    let (mut players, mut pushes) = (Vec::new(), Vec::new());
+    for timed in &timeline.clauses {
+        match &document.clause(timed.clause).kind {
+            ClauseKind::PlayerAdd(add) => players.push((add.name.clone(), timed.start_secs)),
+            ClauseKind::DeterministicPrimitive(push) => {
+                pushes.push((push.player.clone(), timed.start_secs));
+            }
+            _ => {}
+        }
+    }
+    assert_eq!((players.len(), pushes.len()), (2, 2));
+    for (player, start_secs) in pushes {
+        let is_there =
+            |(name, secs): &(Option<String>, f64)| *name == player && *secs <= start_secs;
+        assert!(players.iter().any(is_there), "{player:?} in {players:?}");
+    }
+}
+
+#[test]
+fn a_file_without_behaviours_says_so() {
+    assert_eq!(codes(&bml("")), ["bml::empty"]);
 }

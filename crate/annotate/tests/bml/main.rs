@@ -94,7 +94,8 @@ fn mark(document: &Document, name: &str) -> f64 {
 #[test]
 fn every_core_behaviour_is_performed() {
     let imported = read(EVERYTHING);
-    assert_eq!(imported.diagnostics, [], "nothing is lost");
+    // The gestures `g1` and `g3` have ends at other words than their starts.
+    assert_eq!(codes(&imported), ["bml::end"; 2]);
     let (document, _) = timeline(&imported.document);
     let names: Vec<&str> = document.clauses.iter().map(|c| c.kind.name()).collect();
     for wanted in [
@@ -191,7 +192,9 @@ fn phases_on_different_words_stay_in_order() {
         ("start='s:t' strokeStart='s:u'", "v_s_u", 0.0),
         ("strokeStart='s:t' end='s:u'", "v_s_t", 0.0),
     ] {
-        let document = clean(&format!("{speech}<gesture lexeme='STOP' {times}/>"));
+        let imported = bml(&format!("{speech}<gesture lexeme='STOP' {times}/>"));
+        assert_eq!(codes(&imported), ["bml::end"], "{times}");
+        let document = imported.document;
         let found = phases(&document);
         let stroke = found.iter().find(|(phase, ..)| *phase == Phase::Stroke);
         let off = stroke.expect("a stroke").1 - mark(&document, anchor) - offset_secs;

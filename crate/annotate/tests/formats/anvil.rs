@@ -185,6 +185,42 @@ fn faults_are_told_at_their_place() {
     );
 }
 
+#[test]
+fn a_subdivision_lies_in_an_element_of_its_parent() {
+    let text = |start: &str| {
+        format!(
+            "<annotation><body><track name='gestures' type='primary'><el index='0' start='1' \
+             end='4'><attribute name='type'>gesticulation</attribute></el><el index='1' start='2' \
+             end='2.5'><attribute name='type'>gesticulation</attribute></el></track><track \
+             name='gesticulation.phases.layer1' type='subdivision' ref='gestures'><el index='0' \
+             start='{start}' end='3'><attribute name='phase'>stroke</attribute></el></track></body>\
+             </annotation>"
+        )
+    };
+    let outside = |start: &str| {
+        let read = read_transcription(text(start).as_bytes(), None);
+        let outside = read.diagnostics.iter();
+        outside
+            .filter(|d| d.code == "gestura::outside-parent")
+            .count()
+    };
+    assert_eq!(["2.6", "1", "0.9"].map(outside), [0, 0, 1]);
+}
+
+#[test]
+fn a_phase_has_a_length() {
+    let read = |end: &str| {
+        let text = format!(
+            "<annotation><body><track name='gesticulation.phases.layer1' type='primary'><el \
+             start='1' end='{end}'><attribute name='phase'>stroke</attribute></el></track></body>\
+             </annotation>"
+        );
+        let problems = read_transcription(text.as_bytes(), None).diagnostics;
+        problems.iter().any(|d| d.code == "gestura::no-length")
+    };
+    assert_eq!(["1", "1.2"].map(read), [true, false]);
+}
+
 /// Copies of a file with a part removed or replaced.
 fn malformed(text: &str) -> Vec<String> {
     let step = text.len() / 160;

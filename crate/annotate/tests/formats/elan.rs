@@ -122,8 +122,16 @@ fn a_mapping_names_tiers_and_values() {
     // The value is mapped to a word that GestuRA does not have.
     let told = read.diagnostics.iter().find(|d| d.code == "gestura::value");
     assert!(told.is_some(), "{:?}", read.diagnostics);
-    let mapping = Mapping::read("words = nothing\nbroken\n", &mut problems);
-    assert_eq!(problems[0].code, "elan::mapping");
+    let text = "words = tokens\nwords = nothing\nbroken\n";
+    let mapping = Mapping::read(text, &mut problems);
+    let places = problems.iter().map(|p| (p.code, p.span.slice(text)));
+    assert_eq!(
+        places.collect::<Vec<_>>(),
+        [
+            ("elan::mapping", "words = nothing"),
+            ("elan::mapping", "broken")
+        ]
+    );
     let read = read_transcription(THREE.as_bytes(), Some(&mapping));
     assert_eq!(read.diagnostics[0].code, "elan::no-tier");
     assert!(

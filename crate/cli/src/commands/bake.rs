@@ -336,6 +336,7 @@ fn in_json(name: &str, baked: &BakeReport) -> Value {
         "heard": baked.sound.lufs.map(|(softest, loudest)| json!({
             "bursts": baked.sound.heard.bursts.percent(),
             "vowels": baked.sound.heard.vowels.percent(),
+            "final_vowels": baked.sound.heard.final_vowels.percent(),
             "pauses_under_db": baked.sound.heard.pauses_under_db(),
             "lufs": [softest, loudest],
         })),
