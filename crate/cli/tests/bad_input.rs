@@ -88,6 +88,8 @@ fn each_kind_of_bad_input_is_reported_where_it_stands() {
     expect("entity", entity, "eml::unknown-entity", 3);
     let far = "<gesture-key time='0' duration='1'><motion><key x='0' y='90' z='0'/></motion></gesture-key>";
     expect("reach", wrapped(far), "player::out-of-reach", 3);
+    let inside = far.replace("y='90'", "y='12'");
+    expect("body", wrapped(&inside), "player::in-body", 3);
     let speech = "<voice-text time='0'>Hello</voice-text>";
     expect("no-bundle", wrapped(speech), "player::no-bundle", 3);
 }

@@ -27,20 +27,21 @@ pub(crate) struct Cast {
 impl Cast {
     /// Measures a figure for a story. `handedness` is the dominant hand chosen by the page, if any.
     pub(crate) fn new(figure: Arc<Figure>, document: &Document, handedness: Option<Side>) -> Self {
+        let build = Build::from_figure(&figure);
         Self {
             face: FaceRig::new(&figure),
             units: Units::from_skeleton(&figure.skeleton),
-            reach: Reach::from_skeleton(&figure.skeleton),
-            build: Build::from_figure(&figure),
+            reach: Reach::new(&figure.skeleton, &build),
+            build,
             hands: Hands::from_document(document, handedness, figure.dominant_hand),
             figure,
         }
     }
 
-    /// Returns the parts of a document that this figure cannot perform: targets out of reach,
+    /// Returns the parts of a document that this figure cannot perform: unreachable targets,
     /// unknown control parameters.
     pub(crate) fn problems(&self, document: &Document) -> Vec<Diagnostic> {
-        let far = reach::out_of_reach(document, &self.units, &self.reach, self.hands);
+        let far = reach::unreachable(document, &self.units, &self.reach, self.hands);
         far.into_iter()
             .chain(parameters::problems(document))
             .chain(manipulators::problems(document, &self.units, &self.reach))

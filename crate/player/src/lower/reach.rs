@@ -1,8 +1,10 @@
-//! Unreachable hand goals of a figure: positions out of reach, and strokes that come too late.
+//! Unreachable hand goals of a figure: positions out of reach or inside the body, and strokes that
+//! come too late.
 
 use std::collections::BTreeMap;
 
 use raconteur_actor::gesture::ArmPlan;
+use raconteur_actor::limb::{BodySpace, Build};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Length, Side};
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -23,11 +25,13 @@ pub(crate) struct Reach {
     pub(crate) hips_in_world: [DVec3; 2],
     /// Length of a leg to the ankle, metres.
     pub(crate) leg_m: f64,
+    /// Trunk and head, which the wrists stay out of.
+    space: BodySpace,
 }
 
 impl Reach {
-    /// Measures a skeleton in its zero pose.
-    pub(crate) fn from_skeleton(skeleton: &Skeleton) -> Self {
+    /// Measures a skeleton and its build in the zero pose.
+    pub(crate) fn new(skeleton: &Skeleton, build: &Build) -> Self {
         let mut world = Vec::new();
         skeleton.solve(&Pose::zero(), &mut world);
         let at = |bone: Bone| world[bone.index()].translation;
@@ -37,14 +41,19 @@ impl Reach {
             arm_m: length(Bone::LElbow) + length(Bone::LWrist),
             hips_in_world: [at(Bone::LHip), at(Bone::RHip)],
             leg_m: length(Bone::LKnee) + length(Bone::LSubtalar),
+            space: BodySpace::new(skeleton, build.trunk),
         }
     }
 }
 
-/// Returns a warning for every position that the arm cannot reach; the hand moves as far towards it
-/// as possible (GEVH fig. 3.6).
+/// Displacement out of the body that is told, skeleton units.
+const MIN_DISPLACEMENT: f64 = 1.0;
+
+/// Returns a warning for every gesture with positions that the wrist cannot take: it moves as far
+/// towards those beyond the arm's reach as possible (GEVH fig. 3.6), and stays in front of those
+/// inside the body.
 #[must_use]
-pub(crate) fn out_of_reach(
+pub(crate) fn unreachable(
     document: &Document,
     units: &Units,
     reach: &Reach,
@@ -59,7 +68,7 @@ pub(crate) fn out_of_reach(
         let ClauseKind::GestureKey(gesture) = &clause.kind else {
             continue;
         };
-        let mut far = Vec::new();
+        let (mut far, mut inside) = (Vec::new(), Vec::new());
         for side in Side::BOTH
             .into_iter()
             .filter(|s| gesture.handedness.includes(*s, hands.dominant))
@@ -75,17 +84,21 @@ pub(crate) fn out_of_reach(
             }
             let told = |key: &&Key<MotionKey>| !goes || key.value.coords == Coords::Speaker;
             for key in track.keys.iter().filter(told) {
-                let beyond = (position(key, mirrored, units)
-                    - reach.shoulders_in_world[side.index()])
-                .magnitude()
-                    - reach.arm_m;
+                let goal = position(key, mirrored, units);
+                let from_shoulder = goal - reach.shoulders_in_world[side.index()];
+                let beyond = from_shoulder.magnitude() - reach.arm_m;
                 // A tenth of a millimetre is below the rounding of a script.
                 if beyond > 1e-4 {
                     far.push((beyond, key.span, side));
                 }
+                let deep = reach.space.wrist_exit_displacement(goal).magnitude();
+                if deep > MIN_DISPLACEMENT * units.metres() {
+                    inside.push((deep, key.span, side));
+                }
             }
         }
         found.extend(farthest(&far));
+        found.extend(deepest(&inside));
     }
     found
 }
@@ -93,20 +106,43 @@ pub(crate) fn out_of_reach(
 /// Returns one warning per clause: at the position farthest beyond reach, metres.
 fn farthest(far: &[(f64, Span, Side)]) -> Option<Diagnostic> {
     let (beyond, span, side) = far.iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let arm = if *side == Side::Left { "left" } else { "right" };
-    let others = match far.len() {
-        1 => String::new(),
-        2 => "; another one of this gesture is, too".to_owned(),
-        n => format!("; {} others of this gesture are, too", n - 1),
-    };
     let message = format!(
-        "this place is {:.0} cm beyond the reach of the {arm} arm{others}",
+        "this place is {:.0} cm beyond the reach of the {} arm{}",
         beyond * 100.0,
+        side_name(*side),
+        others(far.len()),
     );
     Some(
         Diagnostic::warning("player::out-of-reach", *span, message)
             .hint("the hand goes as far towards it as it can"),
     )
+}
+
+/// Returns one warning per clause: at the position deepest in the body, metres.
+fn deepest(inside: &[(f64, Span, Side)]) -> Option<Diagnostic> {
+    let (deep, span, side) = inside.iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let message = format!(
+        "this place is inside the body: the {} wrist stays {:.0} cm away, outside{}",
+        side_name(*side),
+        deep * 100.0,
+        others(inside.len()),
+    );
+    Some(
+        Diagnostic::warning("player::in-body", *span, message)
+            .hint("choose a place farther from the trunk or the head"),
+    )
+}
+
+fn side_name(side: Side) -> &'static str {
+    if side == Side::Left { "left" } else { "right" }
+}
+
+fn others(count: usize) -> String {
+    match count {
+        1 => String::new(),
+        2 => "; another one of this gesture is, too".to_owned(),
+        n => format!("; {} others of this gesture are, too", n - 1),
+    }
 }
 
 /// Lateness that is not visible, seconds (half of the tolerance for strokes).
