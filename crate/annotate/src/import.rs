@@ -79,7 +79,11 @@ fn transcription(
     problems: &mut Vec<Diagnostic>,
 ) -> Option<Transcription> {
     let annotation = match Format::from_root(root) {
-        Some(Format::Anvil) => anvil::read(root, problems),
+        Some(Format::Anvil) => {
+            let annotation = anvil::read(root, problems);
+            annotation.check_remarks(problems);
+            annotation
+        }
         Some(Format::Elan) => {
             let elan = elan::read(root, problems);
             let guessed = mapping.is_none().then(|| elan::guess(&elan));

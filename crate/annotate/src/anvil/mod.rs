@@ -4,13 +4,14 @@
 mod from_transcription;
 mod read;
 mod specification;
+mod spread;
 mod subdivisions;
 mod to_transcription;
 mod write;
 
-use raconteur_eml::Span;
+use raconteur_eml::{Diagnostic, Span};
 
-use crate::gestura::Interval;
+use crate::gestura::{Interval, Setting};
 use crate::xml::Text;
 
 pub use from_transcription::from_transcription;
@@ -153,6 +154,33 @@ impl TrackElement {
 }
 
 impl Annotation {
+    /// Returns the settings among the notes of the file: those whose key has a point.
+    pub(super) fn settings(&self) -> Vec<Setting> {
+        let setting = |info: &Info| {
+            let (element, attribute) = info.key.split_once('.')?;
+            Some(Setting {
+                element: element.to_owned(),
+                attribute: attribute.to_owned(),
+                value: info.text.clone(),
+            })
+        };
+        self.info.iter().filter_map(setting).collect()
+    }
+
+    /// Reports remarks of the coder, which a transcription does not have.
+    pub(crate) fn check_remarks(&self, problems: &mut Vec<Diagnostic>) {
+        let elements = self.tracks.iter().flat_map(|track| &track.elements);
+        let mut remarks = elements.filter(|element| element.comment.is_some());
+        if let Some(first) = remarks.next() {
+            let message = match remarks.count() {
+                0 => "the remark on this element is not read".to_owned(),
+                more => format!("the remarks on this element and {more} others are not read"),
+            };
+            let problem = Diagnostic::warning("anvil::remarks", first.span, message);
+            problems.push(problem);
+        }
+    }
+
     /// Returns a track by its name, case-insensitively.
     #[must_use]
     pub fn track(&self, name: &str) -> Option<&Track> {

@@ -5,11 +5,11 @@ use std::ops::RangeInclusive;
 
 use raconteur_eml::{Diagnostic, Span, quoted};
 
-use super::subdivisions;
-use super::{Annotation, Extent, Info, Track, TrackElement, TrackKind};
+use super::{Annotation, Extent, Track, TrackElement, TrackKind};
+use super::{spread, subdivisions};
 use crate::gestura::{
     Attributes, Form, Gesture, GestureClass, Interval, Layer, LevelSpan, Meaning, Noted, Phase,
-    Phrase, Prosody, Setting, Staging, Transcription, Utterance, Vocabulary, Word,
+    Phrase, Prosody, Staging, Transcription, Utterance, Vocabulary, Word,
 };
 use crate::names::*;
 
@@ -61,7 +61,7 @@ pub fn to_transcription(annotation: &Annotation, problems: &mut Vec<Diagnostic>)
         gestures,
         prosody,
         staging,
-        settings: settings(annotation),
+        settings: annotation.settings(),
         layers,
     }
 }
@@ -123,8 +123,10 @@ impl<'a> Converter<'a, '_> {
     }
 
     fn outside_parent(&mut self, element: &TrackElement, kind: &TrackKind) {
-        let parent = quoted(kind.reference().unwrap_or_default());
-        let message = format!("the element refers to elements that {parent} does not have");
+        let message = match kind.reference().map(quoted) {
+            Some(parent) => format!("the element refers to elements that {parent} does not have"),
+            None => "the element covers nothing: no element lies in its time".to_owned(),
+        };
         self.problems.push(Diagnostic::error(
             "gestura::outside-parent",
             element.span,
@@ -211,6 +213,9 @@ impl<'a> Converter<'a, '_> {
     }
 
     fn words(&mut self) -> Vec<Word> {
+        if self.elements(WORDS).is_empty() {
+            return spread::words(self.elements(UTTERANCES), self.problems);
+        }
         let mut words = Vec::new();
         for element in self.elements(WORDS) {
             let Some(interval) = self.time_of(WORDS, element) else {
@@ -370,7 +375,10 @@ impl<'a> Converter<'a, '_> {
             let intervals: Vec<Interval> = phases.iter().map(|phase| phase.interval).collect();
             let phrases = annotation.tracks.iter();
             let mut phrases = phrases.filter(|other| {
-                layer_name(&other.name, PHRASES).is_some_and(|n| n.eq_ignore_ascii_case(name))
+                let own = layer_name(&other.name, PHRASES);
+                let parent = other.kind.reference().filter(|_| own.is_some());
+                parent.is_some_and(|parent| parent.eq_ignore_ascii_case(&track.name))
+                    || own.is_some_and(|own| own.eq_ignore_ascii_case(name))
             });
             let phrases = phrases.next().map_or(Vec::new(), |phrases| {
                 self.phrases(phrases, (&track.name, &kept), &intervals)
@@ -466,19 +474,6 @@ fn attributes(element: &TrackElement) -> Attributes {
     attributes
         .map(|(name, text)| (name.clone(), text.value.clone()))
         .collect()
-}
-
-/// Returns the settings among the notes of a file: those whose key has a point.
-fn settings(annotation: &Annotation) -> Vec<Setting> {
-    let setting = |info: &Info| {
-        let (element, attribute) = info.key.split_once('.')?;
-        Some(Setting {
-            element: element.to_owned(),
-            attribute: attribute.to_owned(),
-            value: info.text.clone(),
-        })
-    };
-    annotation.info.iter().filter_map(setting).collect()
 }
 
 /// Returns the run of intervals of which at least half lies in another one.

@@ -153,6 +153,16 @@ pub(super) struct Given {
     pub(super) span: Span,
 }
 
+/// Constraint that one time is not later than another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Order {
+    pub(super) first: GivenTime,
+    pub(super) second: GivenTime,
+    /// Span of the constraint.
+    pub(super) span: Span,
+    pub(super) is_required: bool,
+}
+
 /// Value of a [`Given`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum GivenTime {
@@ -207,10 +217,9 @@ pub(super) struct Reading<'x> {
     /// Number of groups, at least 1.
     pub(super) groups: usize,
     pub(super) behaviours: Vec<Behaviour<'x>>,
-    /// `constraint` elements, with their block.
-    pub(super) constraints: Vec<(&'x Element, usize)>,
-    /// Times of which the first must not be later than the second, with the constraint's span.
-    pub(super) orders: Vec<(GivenTime, GivenTime, Span)>,
+    /// `constraint` elements, with their block; true for required ones.
+    pub(super) constraints: Vec<(&'x Element, usize, bool)>,
+    pub(super) orders: Vec<Order>,
     /// Behaviours by block and id.
     pub(super) ids: BTreeMap<(usize, &'x str), usize>,
 }

@@ -18,7 +18,7 @@ mod reference;
 mod speech;
 mod times;
 
-use raconteur_eml::{ClauseKind, Diagnostic, Document, Group};
+use raconteur_eml::{ClauseKind, Diagnostic, Document, Group, Span};
 
 use crate::xml::Element;
 use behaviour::{Behaviour, Kind, Point};
@@ -62,6 +62,20 @@ pub(crate) fn convert(root: &Element, problems: &mut Vec<Diagnostic>) -> Documen
     }
     problems.append(&mut output.builder.problems);
     output.builder.document
+}
+
+/// Returns a report of something that is not performed as written: an error if it is required.
+fn loss(
+    is_required: bool,
+    code: &'static str,
+    span: Span,
+    message: impl Into<String>,
+) -> Diagnostic {
+    if is_required {
+        Diagnostic::error(code, span, message)
+    } else {
+        Diagnostic::warning(code, span, message)
+    }
 }
 
 /// Adds the clauses of the behaviours of a group.

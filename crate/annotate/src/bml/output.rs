@@ -112,11 +112,7 @@ impl<'r> Output<'r> {
         span: Span,
         message: impl Into<String>,
     ) -> &mut Diagnostic {
-        let problem = if self.behaviour(index).is_required {
-            Diagnostic::error(code, span, message)
-        } else {
-            Diagnostic::warning(code, span, message)
-        };
+        let problem = super::loss(self.behaviour(index).is_required, code, span, message);
         let problems = &mut self.builder.problems;
         problems.push(problem);
         let last = problems.len() - 1;

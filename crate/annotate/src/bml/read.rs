@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use raconteur_eml::{Diagnostic, Name, nearest, quoted};
 
 use super::behaviour::{Behaviour, Block, Course, Kind, Point, Reading, SpeechMark};
-use super::{MAX_BEHAVIOURS, gesture};
+use super::{MAX_BEHAVIOURS, gesture, loss};
 use crate::xml::Element;
 
 /// Reads all behaviours of some blocks, without their times.
@@ -71,17 +71,14 @@ impl<'x> Reader<'x, '_> {
                 // The depth of a file is limited.
                 self.children(block, element, true);
             } else if name == "constraint" {
-                self.reading.constraints.push((element, block));
+                let constraint = (element, block, is_required);
+                self.reading.constraints.push(constraint);
             } else {
                 let message = format!(
                     "{} is not a core behaviour; it is not performed",
                     quoted(&element.name)
                 );
-                let mut problem = if is_required {
-                    Diagnostic::error("bml::unknown-element", element.tag, message)
-                } else {
-                    Diagnostic::warning("bml::unknown-element", element.tag, message)
-                };
+                let mut problem = loss(is_required, "bml::unknown-element", element.tag, message);
                 let known = Kind::ELEMENTS.iter().map(|(name, ..)| *name);
                 if let Some(near) = nearest(&element.name, known) {
                     problem = problem.hint(format!("did you mean `{near}`?"));
@@ -107,7 +104,7 @@ impl<'x> Reader<'x, '_> {
             }
             return;
         }
-        self.check_attributes(element, attributes);
+        self.check_attributes(element, attributes, is_required);
         if let Some(id) = element.value("id") {
             let known = self.reading.ids.entry((block, id));
             let first = *known.or_insert(index);
@@ -135,18 +132,16 @@ impl<'x> Reader<'x, '_> {
         self.reading.behaviours.push(behaviour);
     }
 
-    fn check_attributes(&mut self, element: &Element, known: &[&str]) {
+    fn check_attributes(&mut self, element: &Element, known: &[&str], is_required: bool) {
         for attribute in &element.attributes {
             let name = attribute.name.as_str();
             let is_known = |known: &&str| known.eq_ignore_ascii_case(name);
             let is_general = name == "id" || Point::named(name).is_some();
             if !is_general && !known.iter().any(is_known) {
                 let message = format!("the attribute {} has no effect", quoted(name));
-                self.problems.push(Diagnostic::warning(
-                    "bml::unknown-attribute",
-                    attribute.text.span,
-                    message,
-                ));
+                let span = attribute.text.span;
+                let problem = loss(is_required, "bml::unknown-attribute", span, message);
+                self.problems.push(problem);
             }
         }
     }

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use raconteur_eml::{Diagnostic, Span, nearest, quoted};
 
-use super::behaviour::{Given, GivenTime, Kind, Point, Reading};
+use super::behaviour::{Given, GivenTime, Kind, Order, Point, Reading};
+use super::loss;
 use crate::xml::{Element, Text};
 
 /// Maximum magnitude of times, seconds: EML's limit is higher, so that sums stay below it.
@@ -39,8 +40,8 @@ pub(super) fn link(reading: &mut Reading<'_>, problems: &mut Vec<Diagnostic>) {
     for index in 0..linker.reading.behaviours.len() {
         linker.attributes(index);
     }
-    for (element, block) in linker.reading.constraints.clone() {
-        linker.constraint(element, block);
+    for (element, block, is_required) in linker.reading.constraints.clone() {
+        linker.constraint(element, block, is_required);
     }
 }
 
@@ -53,27 +54,26 @@ struct Linker<'r, 'x, 'p> {
 
 impl Linker<'_, '_, '_> {
     fn attributes(&mut self, index: usize) {
-        let (element, block) = {
-            let behaviour = &self.reading.behaviours[index];
-            (behaviour.element, behaviour.block)
-        };
+        let behaviour = &self.reading.behaviours[index];
+        let (element, block, is_required) =
+            (behaviour.element, behaviour.block, behaviour.is_required);
         for attribute in &element.attributes {
             if let Some(point) = Point::named(&attribute.name)
                 && let Some(value) = self.time(&attribute.text, block)
             {
                 let span = attribute.text.span;
-                self.give(index, point, Given { value, span });
+                self.give(index, point, Given { value, span }, is_required);
             }
         }
     }
 
-    fn constraint(&mut self, element: &Element, block: usize) {
+    fn constraint(&mut self, element: &Element, block: usize, is_required: bool) {
         for relation in &element.children {
             let name = relation.name.to_ascii_lowercase();
             if !matches!(name.as_str(), "synchronize" | "before" | "after") {
                 let message = format!("{} is not a constraint", quoted(&relation.name));
                 let hint = "constraints are `synchronize`, `before` and `after`";
-                let problem = Diagnostic::warning("bml::unknown-element", relation.tag, message);
+                let problem = loss(is_required, "bml::unknown-element", relation.tag, message);
                 self.problems.push(problem.hint(hint));
                 continue;
             }
@@ -82,7 +82,13 @@ impl Linker<'_, '_, '_> {
             };
             for sync in relation.all("sync") {
                 if let Some(time) = self.required_reference(sync, block) {
-                    self.relate(&name, time, reference, sync.tag);
+                    let order = Order {
+                        first: time,
+                        second: reference,
+                        span: sync.tag,
+                        is_required,
+                    };
+                    self.relate(&name, order);
                 }
             }
         }
@@ -101,17 +107,17 @@ impl Linker<'_, '_, '_> {
     }
 
     /// Applies one relation between the time of a `sync` and that of its constraint.
-    fn relate(&mut self, relation: &str, time: GivenTime, reference: GivenTime, span: Span) {
-        let GivenTime::Point(index, point, offset_secs) = time else {
+    fn relate(&mut self, relation: &str, mut order: Order) {
+        let (reference, span, is_required) = (order.second, order.span, order.is_required);
+        let GivenTime::Point(index, point, offset_secs) = order.first else {
             let message = "the start of a block cannot be moved";
             return self.error(span, fault(message, "refer to a sync point of a behaviour"));
         };
         let is_given = self.reading.behaviours[index].given.contains_key(&point);
         if relation != "synchronize" {
-            let order = match relation {
-                "before" => (time, reference, span),
-                _ => (reference, time, span),
-            };
+            if relation == "after" {
+                std::mem::swap(&mut order.first, &mut order.second);
+            }
             self.reading.orders.push(order);
             let is_speech = self.reading.behaviours[index].kind == Kind::Speech;
             if is_given || is_speech {
@@ -122,12 +128,12 @@ impl Linker<'_, '_, '_> {
             GivenTime::Group(group, secs) => GivenTime::Group(group, secs - offset_secs),
             GivenTime::Point(i, p, secs) => GivenTime::Point(i, p, secs - offset_secs),
         };
-        self.give(index, point, Given { value, span });
+        self.give(index, point, Given { value, span }, is_required);
     }
 
     /// Gives a time to a point. The words of a speech have their own times, so another behaviour
     /// follows them instead.
-    fn give(&mut self, index: usize, point: Point, given: Given) {
+    fn give(&mut self, index: usize, point: Point, given: Given, is_required: bool) {
         let behaviour = &mut self.reading.behaviours[index];
         if behaviour.kind == Kind::Speech && point != Point::Start {
             if let GivenTime::Point(other, other_point, secs) = given.value
@@ -144,13 +150,13 @@ impl Linker<'_, '_, '_> {
                 return;
             }
             let message = "the words of a speech determine its times; only its start can be set";
-            let problem = Diagnostic::warning("bml::speech-time", given.span, message);
+            let problem = loss(is_required, "bml::speech-time", given.span, message);
             self.problems.push(problem);
             return;
         }
         if let Some(first) = behaviour.given.get(&point) {
             let message = "the sync point has a time already, which stays";
-            let problem = Diagnostic::warning("bml::two-times", given.span, message);
+            let problem = loss(is_required, "bml::two-times", given.span, message);
             self.problems.push(problem.related(first.span, "the time"));
             return;
         }

@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use raconteur_eml::{Diagnostic, Name, Span, TimeExpr};
 
-use super::behaviour::{Given, GivenTime, Kind, Point, Reading};
+use super::behaviour::{Given, GivenTime, Kind, Order, Point, Reading};
+use super::loss;
 use crate::script::{after, seconds};
 
 /// Deviation of two times that does not matter, seconds.
@@ -86,8 +87,8 @@ pub(super) fn resolve(reading: &Reading<'_>, problems: &mut Vec<Diagnostic>) -> 
         }
         solver.check_sequence(index);
     }
-    for (first, second, span) in &reading.orders {
-        solver.check_order(*first, *second, *span);
+    for order in &reading.orders {
+        solver.check_order(order);
     }
     solver.times
 }
@@ -335,7 +336,7 @@ impl Solver<'_, '_, '_> {
     }
 
     /// Reports two times in the wrong order, or on different words.
-    fn check_order(&mut self, first: GivenTime, second: GivenTime, span: Span) {
+    fn check_order(&mut self, order: &Order) {
         let when = |time: GivenTime| match time {
             GivenTime::Group(group, secs) => When {
                 base: Base::Group(group),
@@ -346,13 +347,13 @@ impl Solver<'_, '_, '_> {
             }
             GivenTime::Point(index, point, secs) => self.reference(index, point).plus(secs),
         };
-        let (first, second) = (when(first), when(second));
+        let (first, second) = (when(order.first), when(order.second));
         let message = match second.secs_since(&first) {
             Some(secs) if secs < -TOLERANCE_SECS => "the constraint does not hold",
             Some(_) => return,
             None => "only the speech tells whether this constraint holds; it is not enforced",
         };
-        self.problems
-            .push(Diagnostic::warning("bml::constraint", span, message));
+        let problem = loss(order.is_required, "bml::constraint", order.span, message);
+        self.problems.push(problem);
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use raconteur_eml::{Diagnostic, Span, quoted};
 
 use super::letters;
-use super::{Dimension, Vocabulary};
+use super::{Cover, Dimension, Gesture, Vocabulary};
 use super::{GestureClass, Hands, Interval, Layer, PhaseKind, Phrase, Transcription, beat_score};
 
 /// Tolerance of times that should coincide, seconds: a frame of a film.
@@ -29,13 +29,18 @@ pub fn check(transcription: &Transcription) -> Vec<Diagnostic> {
         &mut problems,
     );
     check_utterances(transcription, &mut problems);
+    check_strokes(transcription, &mut problems);
+    let gesticulation = Cover::new(gesticulation(transcription).map(|g| g.interval));
     for layer in &transcription.layers {
         let phases = layer
             .phases
             .iter()
             .map(|phase| (phase.interval, phase.span));
         in_order("phase", phases, &mut problems);
-        check_layer(transcription, layer, &mut problems);
+        check_layer(layer, &mut problems);
+        if !transcription.gestures.is_empty() {
+            check_places(layer, &gesticulation, &mut problems);
+        }
     }
     problems
 }
@@ -117,7 +122,7 @@ fn check_utterances(transcription: &Transcription, problems: &mut Vec<Diagnostic
     }
 }
 
-fn check_layer(transcription: &Transcription, layer: &Layer, problems: &mut Vec<Diagnostic>) {
+fn check_layer(layer: &Layer, problems: &mut Vec<Diagnostic>) {
     let mut taken = BTreeSet::new();
     for phrase in &layer.phrases {
         if phrase
@@ -133,7 +138,6 @@ fn check_layer(transcription: &Transcription, layer: &Layer, problems: &mut Vec<
         check_phases(layer, phrase, problems);
         check_hands(layer, phrase, problems);
         check_dimension(layer, phrase, problems);
-        check_gesture(transcription, layer, phrase, problems);
     }
     for (index, phase) in layer.phases.iter().enumerate() {
         if phase.interval.length_secs() <= 0.0 {
@@ -144,6 +148,16 @@ fn check_layer(transcription: &Transcription, layer: &Layer, problems: &mut Vec<
             let message = format!("the {} belongs to no phrase", phase.kind.word());
             report(problems, "gestura::no-phrase", phase.span, message);
         }
+        if phase.kind.is_hold() && phase.form.travels() {
+            let message = format!("the {} moves the hand", phase.kind.word());
+            report(problems, "gestura::hold", phase.span, message);
+        }
+    }
+    if let Some(last) = layer.phases.last()
+        && last.kind == PhaseKind::PartialRetraction
+    {
+        let message = "no gesture follows the partial retraction";
+        report(problems, "gestura::phase-order", last.span, message.into());
     }
 }
 
@@ -191,6 +205,10 @@ fn check_hands(layer: &Layer, phrase: &Phrase, problems: &mut Vec<Diagnostic>) {
         Some(Hands::Left) => raconteur_base::Side::Right,
         Some(Hands::Both) | None => return,
     };
+    if phrase.symmetry == Some(true) {
+        let message = "a gesture of one hand is not symmetrical";
+        report(problems, "gestura::hands", phrase.span, message.into());
+    }
     for phase in layer.phases_of(phrase) {
         if phase.form.has_only(resting) {
             let message = "the form is of the hand that does not take part";
@@ -211,27 +229,43 @@ fn check_dimension(layer: &Layer, phrase: &Phrase, problems: &mut Vec<Diagnostic
     report(problems, "gestura::dimension", phrase.span, message.into());
 }
 
-/// Reports a phrase outside the gestures that pass 4 classified as gesticulation.
-fn check_gesture(
-    transcription: &Transcription,
-    layer: &Layer,
-    phrase: &Phrase,
-    problems: &mut Vec<Diagnostic>,
-) {
-    let gesticulation = transcription.gestures.iter();
-    let mut gesticulation = gesticulation.filter(|g| g.class == GestureClass::Gesticulation);
-    let Some(interval) = layer.phrase_interval(phrase) else {
+/// Returns the gestures that pass 4 classified as gesticulation.
+fn gesticulation(transcription: &Transcription) -> impl Iterator<Item = &Gesture> {
+    let gestures = transcription.gestures.iter();
+    gestures.filter(|gesture| gesture.class == GestureClass::Gesticulation)
+}
+
+/// Reports phrases outside the gesticulation of pass 4.
+fn check_places(layer: &Layer, gesticulation: &Cover, problems: &mut Vec<Diagnostic>) {
+    for phrase in &layer.phrases {
+        let Some(interval) = layer.phrase_interval(phrase) else {
+            continue;
+        };
+        if !gesticulation.contains(interval, TOLERANCE_SECS) {
+            let message = "the phrase lies in no gesture of the class gesticulation";
+            let code = "gestura::outside-gesture";
+            report(problems, code, phrase.span, message.into());
+        }
+    }
+}
+
+/// Reports gesticulation in which pass 5 found no stroke.
+fn check_strokes(transcription: &Transcription, problems: &mut Vec<Diagnostic>) {
+    let phases = transcription.layers.iter().flat_map(|layer| &layer.phases);
+    let strokes = phases.filter(|phase| phase.kind == PhaseKind::Stroke);
+    let mut middles: Vec<f64> = strokes
+        .map(|stroke| 0.5 * (stroke.interval.start_secs + stroke.interval.end_secs))
+        .collect();
+    if middles.is_empty() {
         return;
-    };
-    if !transcription.gestures.is_empty()
-        && !gesticulation.any(|g| g.interval.contains(interval, TOLERANCE_SECS))
-    {
-        let message = "the phrase lies in no gesture of the class gesticulation";
-        report(
-            problems,
-            "gestura::outside-gesture",
-            phrase.span,
-            message.into(),
-        );
+    }
+    middles.sort_by(f64::total_cmp);
+    for gesture in gesticulation(transcription) {
+        let next = middles.partition_point(|secs| *secs < gesture.interval.start_secs);
+        let is_inside = |secs: &f64| *secs <= gesture.interval.end_secs;
+        if !middles.get(next).is_some_and(is_inside) {
+            let message = "the gesticulation has no stroke";
+            report(problems, "gestura::strokes", gesture.span, message.into());
+        }
     }
 }

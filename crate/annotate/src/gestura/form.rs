@@ -6,6 +6,9 @@ use raconteur_eml::Diagnostic;
 use crate::gsl::{self, Feature, Palm, Position, Shape, Value};
 use crate::xml::Text;
 
+/// Distance from which two places differ, units: tolerance of the places of hands.
+pub(crate) const MIN_DISTANCE: f64 = 1.0;
+
 /// Form of a gesticulation phase.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Form {
@@ -85,6 +88,21 @@ impl Form {
         let hands = self.hands();
         let any = |side: Side| hands.iter().any(|moved| moved[side.index()]);
         any(side) && !any(side.opposite())
+    }
+
+    /// Returns true if the motion leads a hand away from where it begins, by more than a unit.
+    #[must_use]
+    pub fn travels(&self) -> bool {
+        let motion = self.motion.as_ref().and_then(|noted| noted.value.as_ref());
+        Side::BOTH.into_iter().any(|side| {
+            let items = motion.and_then(|value| value.for_hand(side));
+            let items = items.map_or(&[][..], |sequence| &sequence.items);
+            let places = items.iter().map(|item| &item.feature);
+            items.first().is_some_and(|first| {
+                let mut far = places.map(|place| place.distance(&first.feature));
+                far.any(|distance| distance > MIN_DISTANCE)
+            })
+        })
     }
 
     /// Returns the hands that each feature moves, by [`Side::index`].

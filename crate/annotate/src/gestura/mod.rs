@@ -12,6 +12,7 @@
 
 mod beat_filter;
 mod check;
+mod cover;
 mod form;
 mod staging;
 mod statistics;
@@ -23,11 +24,13 @@ use raconteur_eml::Span;
 
 pub use beat_filter::{BeatScore, beat_score};
 pub use check::check;
+pub(crate) use form::MIN_DISTANCE;
 pub use form::{Form, Noted};
 pub use staging::{Attributes, Prosody, Setting, Staging};
 pub use statistics::{Durations, Statistics, Tally};
 pub use word::Vocabulary;
 
+pub(crate) use cover::Cover;
 pub(crate) use word::letters;
 use word::vocabulary;
 

@@ -27,6 +27,15 @@ pub struct Palm {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Position(pub [f64; 3]);
 
+impl Position {
+    /// Returns the distance to another position, skeleton units.
+    #[must_use]
+    pub fn distance(&self, other: &Self) -> f64 {
+        let [x, y, z] = std::array::from_fn(|axis| self.0[axis] - other.0[axis]);
+        raconteur_base::ops::hypot(raconteur_base::ops::hypot(x, y), z)
+    }
+}
+
 /// Feature of a gesture phase that GSL describes.
 pub trait Feature: Clone + PartialEq + sealed::Written {
     /// Name of the feature in messages.

@@ -13,6 +13,7 @@ mod pauses;
 mod phase;
 mod phrases;
 mod prosody;
+mod seams;
 mod speech;
 
 use raconteur_eml::{ClauseKind, Diagnostic, Document};

@@ -7,7 +7,7 @@ use raconteur_base::order::order_by_number;
 use raconteur_eml::{ClauseKind, Diagnostic, Span};
 
 use super::anchors::Anchors;
-use super::{hands, phase};
+use super::{hands, phase, seams};
 use crate::gestura::{Form, Hands, Layer, Noted, Phase, PhaseKind, Transcription, Vocabulary};
 use crate::gsl::{Feature, Item, Position, Sequence, Value};
 use crate::script::Builder;
@@ -20,8 +20,8 @@ const MIN_SECS: f64 = 0.02;
 
 /// Phrase to perform.
 pub(super) struct Planned<'t> {
-    phases: Vec<Cow<'t, Phase>>,
-    hands: Hands,
+    pub(super) phases: Vec<Cow<'t, Phase>>,
+    pub(super) hands: Hands,
     span: Span,
 }
 
@@ -89,6 +89,7 @@ pub(super) fn plan<'t>(
         all = order.into_iter().filter_map(|i| slots[i].take()).collect();
     }
     separate(&mut all, problems);
+    seams::check(&all, problems);
     all.retain(|planned| !planned.phases.is_empty());
     all
 }
@@ -142,7 +143,8 @@ fn begins(kind: PhaseKind, before: &[Phase]) -> bool {
     is_back || (has_stroke && prepares)
 }
 
-/// Completes preparations: what they do not tell is the beginning of the next phase, where they lead.
+/// Completes preparations: what they do not tell is the beginning of the stroke or of a hold before
+/// it, where they lead.
 fn complete(phases: &mut [Cow<'_, Phase>]) {
     for index in 1..phases.len() {
         let (before, after) = phases.split_at_mut(index);
@@ -150,19 +152,20 @@ fn complete(phases: &mut [Cow<'_, Phase>]) {
         if preparation.kind != PhaseKind::Preparation {
             continue;
         }
-        let next = &after[0].form;
-        let motion = phase::motion(next);
+        let stroke = after.iter().position(|p| p.kind == PhaseKind::Stroke);
+        let to = &after[..=stroke.unwrap_or(0)];
+        let motion = to.iter().find_map(|phase| phase::motion(&phase.form));
+        let shapes = to
+            .iter()
+            .find_map(|p| phase::formal(p.form.hand_shapes.as_ref()));
+        let palms = to
+            .iter()
+            .find_map(|p| phase::formal(p.form.palm_orientations.as_ref()));
         let form = &preparation.form;
         let filled = Form {
             motion: lead_to(phase::motion(form).as_ref(), motion.as_ref()),
-            hand_shapes: lead_to(
-                phase::formal(form.hand_shapes.as_ref()),
-                phase::formal(next.hand_shapes.as_ref()),
-            ),
-            palm_orientations: lead_to(
-                phase::formal(form.palm_orientations.as_ref()),
-                phase::formal(next.palm_orientations.as_ref()),
-            ),
+            hand_shapes: lead_to(phase::formal(form.hand_shapes.as_ref()), shapes),
+            palm_orientations: lead_to(phase::formal(form.palm_orientations.as_ref()), palms),
             ..form.clone()
         };
         preparation.to_mut().form = filled;

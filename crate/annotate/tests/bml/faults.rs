@@ -32,6 +32,22 @@ fn losses_are_told_and_errors_if_required() {
         ("<dance/>", "bml::unknown-element"),
         (many.as_str(), "bml::too-large"),
         (
+            "<gesture lexeme='BEAT' frob='3'/>",
+            "bml::unknown-attribute",
+        ),
+        (
+            "<gesture id='g' lexeme='BEAT' start='1'/><gesture id='h' lexeme='STOP' start='9'/>\
+             <constraint><before ref='g:start'><sync ref='h:start'/></before></constraint>",
+            "bml::constraint",
+        ),
+        (
+            "<gesture id='g' lexeme='BEAT' start='1'/><gesture id='h' lexeme='STOP' start='9'/>\
+             <constraint><synchronize ref='g:start'><sync ref='h:start'/></synchronize>\
+             </constraint>",
+            "bml::two-times",
+        ),
+        ("<constraint><during/></constraint>", "bml::unknown-element"),
+        (
             "<gesture lexeme='BEAT' start='1'/><gesture lexeme='STOP' start='1.5'/>",
             "bml::same-hand",
         ),

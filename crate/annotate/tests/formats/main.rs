@@ -6,4 +6,5 @@ mod gsl;
 mod plain;
 mod random;
 mod replay;
+mod rules;
 mod telling;
