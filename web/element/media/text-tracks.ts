@@ -71,9 +71,9 @@ export class StoryTextTracks extends EventTarget {
     return this.#all.find((track) => id !== '' && track.id === id) ?? null;
   }
 
-  /** The tracks that are shown, empty if captions are off: the story's own, or some of a page. */
+  /** The tracks that are shown, in the order of the list, empty if captions are off: the story's own, or some of a page. */
   get shown(): readonly StoryTextTrack[] {
-    return this.#shown;
+    return this.#all.filter((track) => this.#shown.includes(track));
   }
 
   /** The story's own captions, if there is a story. */
