@@ -41,6 +41,7 @@ pub fn to_eml(transcription: &Transcription, anchoring: Anchoring) -> (Document,
     let mut builder = Builder::default();
     let mut anchors = Anchors::new(transcription, anchoring);
     let plan = phrases::plan(transcription, &mut builder.problems);
+    seams::check(&plan, &mut builder.problems);
     // Anchors are chosen first, since the spoken text contains their marks.
     for phrase in &plan {
         anchors.choose(phrase.stroke_secs());

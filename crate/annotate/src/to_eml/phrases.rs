@@ -7,7 +7,7 @@ use raconteur_base::order::order_by_number;
 use raconteur_eml::{ClauseKind, Diagnostic, Span};
 
 use super::anchors::Anchors;
-use super::{hands, phase, seams};
+use super::{hands, phase};
 use crate::gestura::{Form, Hands, Layer, Noted, Phase, PhaseKind, Transcription, Vocabulary};
 use crate::gsl::{Feature, Item, Position, Sequence, Value};
 use crate::script::Builder;
@@ -89,7 +89,6 @@ pub(super) fn plan<'t>(
         all = order.into_iter().filter_map(|i| slots[i].take()).collect();
     }
     separate(&mut all, problems);
-    seams::check(&all, problems);
     all.retain(|planned| !planned.phases.is_empty());
     all
 }
