@@ -59,6 +59,8 @@ struct VisibleShare {
     /// Number of samples of a hand in a stroke, and of those with the hand outside the image.
     strokes: u32,
     out: u32,
+    /// Time of the last one outside, seconds.
+    out_secs: f64,
     last: Option<Camera>,
 }
 
@@ -102,7 +104,10 @@ impl Framing {
                 // Hands may leave a narrower frame for a short time.
                 if aspect >= BROAD && player.is_in_seen_stroke(side, t) {
                     seen.strokes += 1;
-                    seen.out += u32::from(!tips.iter().all(|p| is_shown(&camera, aspect, *p)));
+                    if !tips.iter().all(|p| is_shown(&camera, aspect, *p)) {
+                        seen.out += 1;
+                        seen.out_secs = t;
+                    }
                 }
             }
             let before = seen.last.replace(camera);
@@ -121,10 +126,10 @@ impl Framing {
 
     pub(super) fn checks(self) -> Vec<Check> {
         let mut hands = Check::new("hands-out", 2.0, "% of strokes");
-        for VisibleShare { strokes, out, .. } in self.seen {
-            if strokes > 0 {
-                let share = f64::from(out) / f64::from(strokes);
-                hands.measure(100.0 * share, "hands", 0.0);
+        for seen in self.seen {
+            if seen.strokes > 0 {
+                let share = f64::from(seen.out) / f64::from(seen.strokes);
+                hands.measure(100.0 * share, "hands", seen.out_secs);
             }
         }
         vec![hands, self.face, self.zoom, self.near, self.short]
