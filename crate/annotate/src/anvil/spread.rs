@@ -6,9 +6,21 @@ use super::{Extent, TrackElement};
 use crate::gestura::{Interval, Word};
 use crate::names::TEXT;
 
+/// Maximum number of words; later ones are left out.
+const MAX_WORDS: usize = 100_000;
+
 /// Returns the words of the texts of elements with times, and reports that they are spread evenly.
 pub(super) fn words(elements: &[TrackElement], problems: &mut Vec<Diagnostic>) -> Vec<Word> {
-    let words: Vec<Word> = elements.iter().flat_map(spread).collect();
+    let mut words: Vec<Word> = elements
+        .iter()
+        .flat_map(spread)
+        .take(MAX_WORDS + 1)
+        .collect();
+    if let Some(late) = words.get(MAX_WORDS) {
+        let message = format!("only the first {MAX_WORDS} words are read");
+        problems.push(Diagnostic::error("gestura::too-large", late.span, message));
+        words.truncate(MAX_WORDS);
+    }
     if let Some(first) = words.first() {
         let message = "the file has utterances without words: their words are spread evenly";
         problems.push(Diagnostic::warning(
@@ -39,5 +51,6 @@ fn spread(element: &TrackElement) -> Vec<Word> {
             span: element.span,
         }
     };
-    text.split_whitespace().map(word).collect()
+    let tokens = text.split_whitespace().take(MAX_WORDS + 1);
+    tokens.map(word).collect()
 }

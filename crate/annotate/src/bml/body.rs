@@ -56,10 +56,9 @@ fn player(
     } else {
         shared.to_owned()
     };
-    if output.players.contains(&name) {
+    if !output.players.insert(name.clone()) {
         return name;
     }
-    output.players.push(name.clone());
     let bones = group.map(|group| Bones {
         members: vec![Member {
             kind: MemberKind::Group,

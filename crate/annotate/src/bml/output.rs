@@ -1,5 +1,7 @@
 //! Script under construction, with the times and the reports of behaviours.
 
+use std::collections::BTreeSet;
+
 use raconteur_eml::{ClauseKind, Diagnostic, Handedness, Place, Span, TimeExpr};
 
 use super::behaviour::{Behaviour, Point, Reading};
@@ -22,7 +24,7 @@ pub(super) struct Output<'r> {
     /// Hands, start and end of the latest gestures.
     pub(super) gestures: Vec<(Handedness, When, When)>,
     /// Animation players added so far.
-    pub(super) players: Vec<String>,
+    pub(super) players: BTreeSet<String>,
 }
 
 impl<'r> Output<'r> {
@@ -34,7 +36,7 @@ impl<'r> Output<'r> {
             places: Places::default(),
             is_full: false,
             gestures: Vec::new(),
-            players: Vec::new(),
+            players: BTreeSet::new(),
         }
     }
 

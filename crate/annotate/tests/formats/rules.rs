@@ -155,6 +155,10 @@ fn utterances_without_words_are_spoken() {
     let (eml, codes) = script(&text);
     assert_eq!(codes, ["gestura::no-words"], "{eml}");
     assert!(eml.contains("Once upon a time."), "{eml}");
+    let many = text.replace("Once upon a time.", &"a ".repeat(200_000));
+    let read = read_transcription(many.as_bytes(), None);
+    assert_eq!(read.transcription.words.len(), 100_000);
+    assert_eq!(read.diagnostics[0].code, "gestura::too-large");
 }
 
 #[test]
